@@ -1,0 +1,63 @@
+#include "base/parallel_for.hpp"
+
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <atomic>
+#include <thread>
+
+namespace tuberia {
+
+struct Workers::Arena {
+  // Without the control, the library would give no arena more threads than there are cores, and
+  // the tests could not show that seven threads draw what one draws.
+  explicit Arena(int thread_count)
+      : control(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(thread_count)),
+        arena(thread_count) {}
+  tbb::global_control control;
+  tbb::task_arena arena;
+};
+
+namespace {
+
+int threads_or_cores(int thread_count) {
+  if (thread_count > 0) return thread_count;
+  const unsigned cores = std::thread::hardware_concurrency();
+  return cores > 0 ? static_cast<int>(cores) : 1;
+}
+
+}  // namespace
+
+Workers::Workers(int thread_count) : thread_count_(threads_or_cores(thread_count)) {
+  if (thread_count_ > 1) arena_ = std::make_unique<Arena>(thread_count_);
+}
+
+Workers::~Workers() = default;
+
+void Workers::run(std::int64_t count, void* body, Call call) {
+  // One thread, or one item, needs nobody's help.
+  if (!arena_ || count <= 1) {
+    for (std::int64_t item = 0; item < count; ++item) call(body, item, 0);
+    return;
+  }
+
+  // The library is not compiled by us, so a thread sanitizer cannot see that it orders the loop
+  // after its start and its end after the loop; these two atomics say the same thing again.
+  std::atomic<std::int64_t> started{0}, finished{0};
+  started.store(1, std::memory_order_release);
+  arena_->arena.execute([&] {
+    tbb::parallel_for(
+        tbb::blocked_range<std::int64_t>(0, count, 1),
+        [&](const tbb::blocked_range<std::int64_t>& range) {
+          (void)started.load(std::memory_order_acquire);
+          const int worker = tbb::this_task_arena::current_thread_index();
+          for (std::int64_t item = range.begin(); item != range.end(); ++item) call(body, item, worker);
+          finished.fetch_add(range.end() - range.begin(), std::memory_order_release);
+        },
+        tbb::simple_partitioner{});
+  });
+  (void)finished.load(std::memory_order_acquire);
+}
+
+}  // namespace tuberia
