@@ -1,0 +1,51 @@
+#pragma once
+// How pixels lie in memory: a tile is 8x8 blocks, a block 4x4 quads, a quad 2x2 pixels.
+//
+// Within a quad the order is (0,0) (1,0) (0,1) (1,1), and quads follow each other row by row. Four
+// neighbours in memory are therefore always a quad, whatever the width of the machine's vectors:
+// 4 lanes are 2x2 pixels, 8 are 4x2, 16 are 8x2, each one contiguous load, and screen-space
+// derivatives are differences inside groups of four lanes.
+
+#include <cstdint>
+
+namespace tuberia {
+
+inline constexpr int kBlockSize = 8;                              // pixels, each way
+inline constexpr int kBlockPixels = kBlockSize * kBlockSize;      // 64: one bit each in a mask
+inline constexpr int kQuadsPerBlockRow = kBlockSize / 2;
+#ifndef TUBERIA_TILE_SIZE
+#define TUBERIA_TILE_SIZE 64  // only the tests of invariance compile with another
+#endif
+inline constexpr int kTileSize = TUBERIA_TILE_SIZE;               // pixels, each way
+inline constexpr int kBlocksPerTileRow = kTileSize / kBlockSize;
+inline constexpr int kTilePixels = kTileSize * kTileSize;
+static_assert(kTileSize % kBlockSize == 0 && kTileSize <= 64);
+
+/// Index of pixel (x, y), 0..7 each, in a block.
+constexpr int index_in_block(int x, int y) noexcept {
+  return ((y >> 1) * kQuadsPerBlockRow + (x >> 1)) * 4 + (y & 1) * 2 + (x & 1);
+}
+
+/// Column and row in its block of the pixel at an index.
+constexpr int block_x(int index) noexcept { return (index >> 2) % kQuadsPerBlockRow * 2 + (index & 1); }
+constexpr int block_y(int index) noexcept { return (index >> 2) / kQuadsPerBlockRow * 2 + (index >> 1 & 1); }
+
+/// Index of pixel (x, y) of a tile, 0..kTileSize-1 each.
+constexpr int index_in_tile(int x, int y) noexcept {
+  return ((y / kBlockSize) * kBlocksPerTileRow + x / kBlockSize) * kBlockPixels +
+         index_in_block(x % kBlockSize, y % kBlockSize);
+}
+
+/// A rectangle of whole pixels: left and top belong to it, right and bottom do not.
+struct PixelRect {
+  int left = 0, top = 0, right = 0, bottom = 0;
+  bool operator==(const PixelRect&) const = default;
+  constexpr bool empty() const noexcept { return left >= right || top >= bottom; }
+};
+
+constexpr PixelRect intersection(const PixelRect& a, const PixelRect& b) noexcept {
+  return {a.left > b.left ? a.left : b.left, a.top > b.top ? a.top : b.top,
+          a.right < b.right ? a.right : b.right, a.bottom < b.bottom ? a.bottom : b.bottom};
+}
+
+}  // namespace tuberia

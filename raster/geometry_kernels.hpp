@@ -1,0 +1,80 @@
+#pragma once
+// The wide loops of the geometry stages, on plain arrays; one table per instruction set. All are
+// exact: every set gives the same bits.
+
+#include <cstdint>
+#include <span>
+
+#include "raster/block.hpp"
+#include "raster/instruction_set.hpp"
+#include "raster/screen_triangle.hpp"
+
+namespace tuberia {
+
+/// Arrays that kernels read or write may be touched up to this many elements beyond their count.
+inline constexpr std::size_t kKernelPadding = 16;
+
+/// Where a clip-space vertex lies: one bit for every plane it is outside of.
+namespace outcode {
+inline constexpr std::uint32_t left = 1, right = 2, bottom = 4, top = 8;  // the guard band's planes
+inline constexpr std::uint32_t near = 16, far = 32;                       // the two ends of z
+inline constexpr std::uint32_t behind = 64;    // w <= 0
+inline constexpr std::uint32_t invalid = 128;  // not finite: the primitive is dropped
+}  // namespace outcode
+
+/// Clip-space vertices, an array for each coordinate.
+struct ClipArrays {
+  float *x, *y, *z, *w;
+  std::uint32_t* outcode;
+};
+
+/// The volume that outcodes and clipping refer to: |x| <= guard_x * w, |y| <= guard_y * w, and
+/// z_low * w <= z <= w (z_low is -1 or 0).
+struct ClipLimits {
+  float guard_x = 1, guard_y = 1, z_low = -1;
+};
+
+/// Affine maps from ndc to the screen: pixels and depth, e.g. x_pixels = ndc.x * x_scale + x_offset.
+struct ScreenMap {
+  double x_scale, x_offset, y_scale, y_offset, depth_scale, depth_offset;
+};
+
+/// Screen-space vertices, an array for each coordinate: 24.8 units and depth.
+struct ScreenArrays {
+  std::int32_t *x, *y;
+  float* depth;
+};
+
+/// Triangles as three arrays of vertex slots, with what else must stay with them.
+struct TriangleArrays {
+  std::uint32_t *v0, *v1, *v2, *provoking, *primitive;
+};
+
+struct GeometryKernels {
+  /// Clip position and outcode of `count` vertices: column-major matrix * (position, 1).
+  /// positions: triples of floats; source: their numbers.
+  void (*transform_positions)(const float* matrix, const float* positions, const std::uint32_t* source, int count,
+                              const ClipLimits& limits, const ClipArrays& out);
+
+  /// Divides by w, maps to the screen and snaps to 24.8, round to nearest even; vertices with
+  /// w <= 0 give 0. In double.                                                       [rules R1]
+  void (*project)(const ClipArrays& clip, int count, const ScreenMap& map, const ScreenArrays& out);
+
+  /// Keeps, in place and in order, the triangles with an area whose face is wanted and whose bounds
+  /// hold a pixel centre of `clip`; their vertices then run clockwise. Returns how many.
+  int (*cull)(const TriangleArrays& triangles, int count, const ScreenArrays& vertices, bool keep_clockwise,
+              bool keep_counter_clockwise, const PixelRect& clip);
+
+  /// Sets up culled triangles. clip_w: w of the vertices, > 0.
+  void (*set_up)(const TriangleArrays& triangles, int count, const ScreenArrays& vertices, const float* clip_w,
+                 ScreenTriangle* out);
+
+  /// World positions (affine, column-major 4x4) and unit normals (column-major 3x3) of vertices.
+  /// out: x, y, z arrays one after the other, `count` rounded up to kKernelPadding long each.
+  void (*transform_points)(const float* matrix, const float* positions, const std::uint32_t* source, int count, float* out);
+  void (*transform_normals)(const float* matrix, const float* normals, const std::uint32_t* source, int count, float* out);
+};
+
+const GeometryKernels& geometry_kernels(InstructionSet) noexcept;
+
+}  // namespace tuberia

@@ -1,0 +1,49 @@
+#pragma once
+// What triangle setup knows of a triangle, and all that the tiles need.
+
+#include <cstdint>
+
+namespace tuberia {
+
+/// A triangle of screen space, set up. Its vertices 0, 1, 2 run clockwise on the screen (y down),
+/// so every edge function is positive inside. Edge i lies opposite vertex i.
+///
+/// The edge function of edge i at the centre of pixel (x, y), in square units of 1/256 pixel, is
+///     E = 256 * e + (remainder),  e = constant + per_x * x + per_y * y   in whole numbers,
+/// with 0 <= remainder < 256 the same for all pixels, since centres are whole pixels apart. The
+/// top-left rule has already been taken off, so a centre is covered exactly when all e >= 0.
+struct ScreenTriangle {
+  std::int32_t per_x[3], per_y[3];  // |.| <= 2^24
+  double constant[3];               // integers, |.| <= 2^42
+
+  // Barycentric weight i (i = 1, 2) at a centre: weight_scale * e + weight_offset[i-1].
+  float weight_scale;               // 256 / twice the area
+  float weight_offset[2];
+
+  // Depth is linear in screen space: depth + w1 * depth_delta[0] + w2 * depth_delta[1].
+  float depth, depth_delta[2];
+
+  float inverse_w[3];               // 1/w of the three vertices, clip space
+
+  std::int16_t left, top, right, bottom;  // centres that may be covered, all inclusive
+  std::uint16_t vertex[3];          // slots of the vertices in their chunk
+  std::uint16_t provoking_vertex;   // the slot that gives the attributes that are not interpolated
+  std::uint32_t primitive;          // number of the primitive in its draw
+
+  // With 1/w equal at all vertices nothing has to be divided.
+  std::uint8_t is_affine;
+  // Spans of up to kNearSpanPixels keep e within 32 bits at every pixel of every touched tile, so
+  // weights come straight from e; larger ones take weights from planes anchored to the pixel grid.
+  std::uint8_t is_near;
+};
+
+/// |E| <= 2 * span * (span + tile), in units, must stay below 2^39 for e to fit 32 bits:
+/// 2 * (1984*256) * (1984*256 + 64*256) = 5.3e11 < 2^39 = 5.5e11.
+inline constexpr int kNearSpanPixels = 1984;
+static_assert(2.0 * (kNearSpanPixels * 256.0) * ((kNearSpanPixels + 64) * 256.0) < 549755813888.0);
+
+/// Weights of larger triangles are planes anchored at the corners of squares of this many pixels,
+/// fixed to the grid of pixels whatever the tile size, so that no tile size can change a bit.
+inline constexpr int kAnchorSquarePixels = 64;
+
+}  // namespace tuberia

@@ -1,0 +1,104 @@
+#include "raster/fragment_block.hpp"
+
+#undef TUBERIA_KERNEL_FILE
+#define TUBERIA_KERNEL_FILE "raster/simd/block_kernels.cpp"
+#include "raster/simd/every_instruction_set.hpp"
+
+#include "raster/simd/blend-inl.hpp"
+#include "raster/simd/depth-inl.hpp"
+#include "raster/simd/interpolation-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace tuberia {
+namespace HWY_NAMESPACE {
+
+/// Writes each group of fragments to the block that it belongs to.
+template <class F>
+struct BlockWriter {
+  const ScreenTriangle& triangle;
+  const Tile& tile;
+  std::vector<FragmentBlock>& out;
+
+  HWY_INLINE void operator()(const FragmentGroup<F>& group) {
+    const int block = group.index / kBlockPixels, first = group.index % kBlockPixels;
+    const int left = tile.left + block % kBlocksPerTileRow * kBlockSize;
+    const int top = tile.top + block / kBlocksPerTileRow * kBlockSize;
+    if (out.empty() || out.back().triangle != &triangle || out.back().left != left || out.back().top != top) {
+      out.emplace_back();
+      out.back().left = left;
+      out.back().top = top;
+      out.back().triangle = &triangle;
+    }
+    FragmentBlock& to = out.back();
+    to.live |= static_cast<std::uint64_t>(bits_of(group.covered)) << first;
+    store(group.weight[0], to.weight[0] + first);
+    store(group.weight[1], to.weight[1] + first);
+  }
+};
+
+template <Precision P>
+void rasterize(const ScreenTriangle& triangle, const Tile& tile, const PixelRect& clip, std::vector<FragmentBlock>& out) {
+  TriangleWalk<Float<P>> walk;
+  if (!walk.begin(triangle, tile, clip)) return;
+  BlockWriter<Float<P>> writer{triangle, tile, out};
+  walk.for_each_group(writer);
+}
+
+HWY_INLINE Mask live_lanes(const FragmentBlock& block, int first) {
+  return mask_of(static_cast<std::uint32_t>(block.live >> first & ((1u << kLanes) - 1u)));
+}
+
+HWY_INLINE int index_of(const FragmentBlock& block, const Tile& tile) {
+  return index_in_tile(block.left - tile.left, block.top - tile.top);
+}
+
+template <Precision P>
+void test_depth(FragmentBlock& block, const OutputState& state, const Tile& tile) {
+  using F = Float<P>;
+  std::uint64_t passed = 0;
+  for (int first = 0; first < kBlockPixels; first += kLanes) {
+    const Mask live = live_lanes(block, first);
+    if (none(live)) continue;
+    const F weight[2] = {load<F>(block.weight[0] + first), load<F>(block.weight[1] + first)};
+    const Int code = depth_code(interpolated_depth(*block.triangle, weight), state);
+    store(code, block.depth + first);
+    const Mask passing = depth_test(live, code, state, tile.depth + index_of(block, tile) + first);
+    passed |= static_cast<std::uint64_t>(bits_of(passing)) << first;
+  }
+  block.live = passed;
+}
+
+template <Precision P>
+void blend_block(const FragmentBlock& block, const OutputState& state, const Tile& tile) {
+  using F = Float<P>;
+  if (!state.blend.write) return;
+  for (int first = 0; first < kBlockPixels; first += kLanes) {
+    const Mask live = live_lanes(block, first);
+    if (none(live)) continue;
+    const Vec4<F> colour{load<F>(block.colour[0] + first), load<F>(block.colour[1] + first),
+                         load<F>(block.colour[2] + first), load<F>(block.colour[3] + first)};
+    write_colour(live, colour, state, tile.colour, index_of(block, tile) + first);
+  }
+}
+
+const BlockKernels& block_table(Precision precision) {
+  static constexpr BlockKernels kExact{&rasterize<Precision::exact>, &test_depth<Precision::exact>,
+                                       &blend_block<Precision::exact>};
+  static constexpr BlockKernels kFast{&rasterize<Precision::fast>, &test_depth<Precision::fast>,
+                                      &blend_block<Precision::fast>};
+  return precision == Precision::exact ? kExact : kFast;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace tuberia
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace tuberia {
+
+const BlockKernels& block_kernels(InstructionSet instruction_set, Precision precision) noexcept {
+  TUBERIA_RETURN_FOR(instruction_set, block_table(precision))
+}
+
+}  // namespace tuberia
+#endif

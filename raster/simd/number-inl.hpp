@@ -1,0 +1,252 @@
+// The SIMD numbers: as many floats, integers or truth values as one register of the current
+// instruction set holds. Everything else computes with these and names no intrinsic.
+//
+// This file is compiled once per instruction set (see every_instruction_set.hpp).
+
+#if defined(TUBERIA_RASTER_SIMD_NUMBER_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef TUBERIA_RASTER_SIMD_NUMBER_INL
+#undef TUBERIA_RASTER_SIMD_NUMBER_INL
+#else
+#define TUBERIA_RASTER_SIMD_NUMBER_INL
+#endif
+
+#include <hwy/highway.h>
+
+#include <cstdint>
+
+#include "raster/instruction_set.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace tuberia {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using FloatTag = hn::CappedTag<float, 16>;
+using IntTag = hn::RebindToSigned<FloatTag>;
+using UintTag = hn::RebindToUnsigned<FloatTag>;
+inline constexpr int kLanes = static_cast<int>(hn::MaxLanes(FloatTag{}));
+
+/// One truth value a lane.
+struct Mask {
+  hn::Mask<FloatTag> m;
+};
+
+/// One 32-bit integer a lane; arithmetic wraps around.
+struct Int {
+  hn::Vec<IntTag> v;
+  Int() = default;
+  HWY_INLINE explicit Int(hn::Vec<IntTag> lanes) : v(lanes) {}
+  HWY_INLINE Int(std::int32_t all) : v(hn::Set(IntTag{}, all)) {}
+};
+
+/// One float a lane. The precision is part of the type, so that a fragment program, which is
+/// written for any Number, says nothing about it.
+template <Precision P>
+struct Float {
+  using IntType = Int;
+  using MaskType = Mask;
+  static constexpr Precision kPrecision = P;
+  hn::Vec<FloatTag> v;
+  Float() = default;
+  HWY_INLINE explicit Float(hn::Vec<FloatTag> lanes) : v(lanes) {}
+  HWY_INLINE Float(float all) : v(hn::Set(FloatTag{}, all)) {}
+};
+
+// Arithmetic: a pair of numbers, or a number and a scalar that stands for all lanes.
+#define TUBERIA_FLOAT_OPERATOR(OP, NAME)                                                             \
+  template <Precision P>                                                                             \
+  HWY_INLINE Float<P> operator OP(Float<P> a, Float<P> b) { return Float<P>(hn::NAME(a.v, b.v)); }   \
+  template <Precision P>                                                                             \
+  HWY_INLINE Float<P> operator OP(Float<P> a, float b) { return a OP Float<P>(b); }                  \
+  template <Precision P>                                                                             \
+  HWY_INLINE Float<P> operator OP(float a, Float<P> b) { return Float<P>(a) OP b; }
+TUBERIA_FLOAT_OPERATOR(+, Add)
+TUBERIA_FLOAT_OPERATOR(-, Sub)
+TUBERIA_FLOAT_OPERATOR(*, Mul)
+TUBERIA_FLOAT_OPERATOR(/, Div)
+#undef TUBERIA_FLOAT_OPERATOR
+
+#define TUBERIA_FLOAT_COMPARISON(OP, NAME)                                                       \
+  template <Precision P>                                                                         \
+  HWY_INLINE Mask operator OP(Float<P> a, Float<P> b) { return {hn::NAME(a.v, b.v)}; }           \
+  template <Precision P>                                                                         \
+  HWY_INLINE Mask operator OP(Float<P> a, float b) { return a OP Float<P>(b); }
+TUBERIA_FLOAT_COMPARISON(<, Lt)
+TUBERIA_FLOAT_COMPARISON(<=, Le)
+TUBERIA_FLOAT_COMPARISON(>, Gt)
+TUBERIA_FLOAT_COMPARISON(>=, Ge)
+TUBERIA_FLOAT_COMPARISON(==, Eq)
+#undef TUBERIA_FLOAT_COMPARISON
+
+template <Precision P>
+HWY_INLINE Float<P> operator-(Float<P> a) { return Float<P>(hn::Neg(a.v)); }
+template <Precision P>
+HWY_INLINE Float<P>& operator+=(Float<P>& a, Float<P> b) { return a = a + b; }
+template <Precision P>
+HWY_INLINE Float<P>& operator*=(Float<P>& a, Float<P> b) { return a = a * b; }
+
+HWY_INLINE Int operator+(Int a, Int b) { return Int(hn::Add(a.v, b.v)); }
+HWY_INLINE Int operator-(Int a, Int b) { return Int(hn::Sub(a.v, b.v)); }
+HWY_INLINE Int operator*(Int a, Int b) { return Int(hn::Mul(a.v, b.v)); }
+HWY_INLINE Int operator&(Int a, Int b) { return Int(hn::And(a.v, b.v)); }
+HWY_INLINE Int operator|(Int a, Int b) { return Int(hn::Or(a.v, b.v)); }
+HWY_INLINE Mask operator<(Int a, Int b) { return {hn::RebindMask(FloatTag{}, hn::Lt(a.v, b.v))}; }
+HWY_INLINE Mask operator>(Int a, Int b) { return b < a; }
+HWY_INLINE Mask operator==(Int a, Int b) { return {hn::RebindMask(FloatTag{}, hn::Eq(a.v, b.v))}; }
+template <int kBits>
+HWY_INLINE Int shift_left(Int a) { return Int(hn::ShiftLeft<kBits>(a.v)); }
+/// Fills with zeros from the left.
+template <int kBits>
+HWY_INLINE Int shift_right(Int a) {
+  return Int(hn::BitCast(IntTag{}, hn::ShiftRight<kBits>(hn::BitCast(UintTag{}, a.v))));
+}
+HWY_INLINE Int min(Int a, Int b) { return Int(hn::Min(a.v, b.v)); }
+HWY_INLINE Int max(Int a, Int b) { return Int(hn::Max(a.v, b.v)); }
+
+HWY_INLINE Mask operator&(Mask a, Mask b) { return {hn::And(a.m, b.m)}; }
+HWY_INLINE Mask operator|(Mask a, Mask b) { return {hn::Or(a.m, b.m)}; }
+HWY_INLINE Mask operator!(Mask a) { return {hn::Not(a.m)}; }
+HWY_INLINE bool any(Mask a) { return !hn::AllFalse(FloatTag{}, a.m); }
+HWY_INLINE bool none(Mask a) { return hn::AllFalse(FloatTag{}, a.m); }
+HWY_INLINE bool all(Mask a) { return hn::AllTrue(FloatTag{}, a.m); }
+HWY_INLINE Mask all_lanes() { return {hn::MaskFromVec(hn::BitCast(FloatTag{}, hn::Set(IntTag{}, -1)))}; }
+/// The lanes whose integer is below zero.
+HWY_INLINE Mask is_negative(Int a) {
+  return {hn::MaskFromVec(hn::BitCast(FloatTag{}, hn::BroadcastSignBit(a.v)))};
+}
+/// Bit i is lane i.
+HWY_INLINE std::uint32_t bits_of(Mask a) {
+  std::uint8_t bytes[8] = {};
+  hn::StoreMaskBits(FloatTag{}, a.m, bytes);
+  return static_cast<std::uint32_t>(bytes[0]) | static_cast<std::uint32_t>(bytes[1]) << 8;
+}
+HWY_INLINE Mask mask_of(std::uint32_t bits) {
+  const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(bits), static_cast<std::uint8_t>(bits >> 8)};
+  return {hn::LoadMaskBits(FloatTag{}, bytes)};
+}
+
+template <Precision P>
+HWY_INLINE Float<P> select(Mask m, Float<P> yes, Float<P> no) { return Float<P>(hn::IfThenElse(m.m, yes.v, no.v)); }
+HWY_INLINE Int select(Mask m, Int yes, Int no) {
+  return Int(hn::IfThenElse(hn::RebindMask(IntTag{}, m.m), yes.v, no.v));
+}
+
+// Memory. Pointers need only the alignment of their element.
+template <class F>
+HWY_INLINE F load(const float* from) { return F(hn::LoadU(FloatTag{}, from)); }
+HWY_INLINE Int load(const std::int32_t* from) { return Int(hn::LoadU(IntTag{}, from)); }
+HWY_INLINE Int load(const std::uint32_t* from) {
+  return Int(hn::BitCast(IntTag{}, hn::LoadU(UintTag{}, from)));
+}
+template <Precision P>
+HWY_INLINE void store(Float<P> a, float* to) { hn::StoreU(a.v, FloatTag{}, to); }
+HWY_INLINE void store(Int a, std::int32_t* to) { hn::StoreU(a.v, IntTag{}, to); }
+HWY_INLINE void store(Int a, std::uint32_t* to) { hn::StoreU(hn::BitCast(UintTag{}, a.v), UintTag{}, to); }
+/// Writes the lanes of the mask and leaves the others as they are.
+template <class T, class V>
+HWY_INLINE void store_where(Mask m, V a, T* to) {
+#if HWY_TARGET <= HWY_AVX3
+  // Masks are registers here and a masked store costs what a store costs.
+  hn::BlendedStore(hn::BitCast(hn::Rebind<T, FloatTag>{}, a.v), hn::RebindMask(hn::Rebind<T, FloatTag>{}, m.m),
+                   hn::Rebind<T, FloatTag>{}, to);
+#else
+  const hn::Rebind<T, FloatTag> d;
+  hn::StoreU(hn::IfThenElse(hn::RebindMask(d, m.m), hn::BitCast(d, a.v), hn::LoadU(d, to)), d, to);
+#endif
+}
+HWY_INLINE Int gather(const std::int32_t* table, Int index) { return Int(hn::GatherIndex(IntTag{}, table, index.v)); }
+template <class F>
+HWY_INLINE F gather(const float* table, Int index) { return F(hn::GatherIndex(FloatTag{}, table, index.v)); }
+
+// Conversions. Truncation saturates on no machine alike: callers clamp first.
+HWY_INLINE Int int_of_bits(hn::Vec<FloatTag> v) { return Int(hn::BitCast(IntTag{}, v)); }
+template <Precision P>
+HWY_INLINE Int bits_of(Float<P> a) { return int_of_bits(a.v); }
+template <class F>
+HWY_INLINE F float_of_bits(Int a) { return F(hn::BitCast(FloatTag{}, a.v)); }
+template <Precision P>
+HWY_INLINE Int truncate_to_int(Float<P> a) { return Int(hn::ConvertTo(IntTag{}, a.v)); }
+template <class F>
+HWY_INLINE F to_float(Int a) { return F(hn::ConvertTo(FloatTag{}, a.v)); }
+
+// The functions of one number that every machine computes alike.
+template <Precision P>
+HWY_INLINE Float<P> min(Float<P> a, Float<P> b) { return Float<P>(hn::Min(a.v, b.v)); }
+template <Precision P>
+HWY_INLINE Float<P> max(Float<P> a, Float<P> b) { return Float<P>(hn::Max(a.v, b.v)); }
+template <Precision P>
+HWY_INLINE Float<P> min(Float<P> a, float b) { return min(a, Float<P>(b)); }
+template <Precision P>
+HWY_INLINE Float<P> max(Float<P> a, float b) { return max(a, Float<P>(b)); }
+template <Precision P>
+HWY_INLINE Float<P> abs(Float<P> a) { return Float<P>(hn::Abs(a.v)); }
+template <Precision P>
+HWY_INLINE Float<P> floor(Float<P> a) { return Float<P>(hn::Floor(a.v)); }
+template <Precision P>
+HWY_INLINE Float<P> sqrt(Float<P> a) { return Float<P>(hn::Sqrt(a.v)); }
+
+/// a * b + c: two roundings when exact; when fast one, where the machine can.
+template <Precision P>
+HWY_INLINE Float<P> mul_add(Float<P> a, Float<P> b, Float<P> c) {
+  if constexpr (P == Precision::fast) return Float<P>(hn::MulAdd(a.v, b.v, c.v));
+  else return a * b + c;
+}
+
+/// 1/a. Largest relative error, fast: 3e-7 for 1e-30 <= |a| <= 1e30 (precision_test).
+template <Precision P>
+HWY_INLINE Float<P> reciprocal(Float<P> a) {
+  if constexpr (P == Precision::fast) {
+    const Float<P> guess(hn::ApproximateReciprocal(a.v));
+    return guess * Float<P>(hn::NegMulAdd(guess.v, a.v, hn::Set(FloatTag{}, 2.0f)));
+  } else {
+    return Float<P>(1.0f) / a;
+  }
+}
+
+/// 1/sqrt(a) for a > 0. Largest relative error, fast: 5e-7 for 1e-30 <= a <= 1e30 (precision_test).
+template <Precision P>
+HWY_INLINE Float<P> inverse_sqrt(Float<P> a) {
+  if constexpr (P == Precision::fast) {
+    const Float<P> guess(hn::ApproximateReciprocalSqrt(a.v));
+    return guess * (1.5f - (a * 0.5f) * (guess * guess));
+  } else {
+    return Float<P>(1.0f) / sqrt(a);
+  }
+}
+
+/// Horizontal and vertical difference inside each quad (right minus left, lower minus upper), the
+/// same for the two pixels of a row or column.
+template <Precision P>
+HWY_INLINE Float<P> difference_x(Float<P> a) {
+  return Float<P>(hn::Sub(hn::DupOdd(a.v), hn::DupEven(a.v)));
+}
+template <Precision P>
+HWY_INLINE Float<P> difference_y(Float<P> a) {
+  const auto upper = hn::Shuffle1032(a.v);  // the two rows of each quad change places
+  const auto delta = hn::Sub(upper, a.v);   // lower - upper in the upper row, its negative below
+  const auto sign_flipped = hn::Neg(delta);
+  const auto lane_in_quad = hn::And(hn::Iota(IntTag{}, 0), hn::Set(IntTag{}, 2));
+  return Float<P>(hn::IfThenElse(hn::RebindMask(FloatTag{}, hn::Eq(lane_in_quad, hn::Zero(IntTag{}))),
+                                 delta, sign_flipped));
+}
+
+/// The value of each quad's upper left pixel, in all four of its pixels.
+template <Precision P>
+HWY_INLINE Float<P> first_of_quad(Float<P> a) { return Float<P>(hn::Broadcast<0>(a.v)); }
+
+/// Column and row of each lane's pixel in the group of pixels that one register covers.
+HWY_INLINE Int lane_x() {
+  const Int lane(hn::Iota(IntTag{}, 0));
+  return shift_left<1>(shift_right<2>(lane)) + (lane & Int(1));
+}
+HWY_INLINE Int lane_y() {
+  const Int lane(hn::Iota(IntTag{}, 0));
+  return shift_right<1>(lane) & Int(1);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace tuberia
+HWY_AFTER_NAMESPACE();
+
+#endif

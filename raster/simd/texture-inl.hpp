@@ -1,0 +1,40 @@
+// Texture sampling as a fragment program calls it. The work is in texture_kernels.cpp, compiled once
+// and not once a program: inlined, it is most of a program's code and takes most of its build.
+
+#if defined(TUBERIA_RASTER_SIMD_TEXTURE_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef TUBERIA_RASTER_SIMD_TEXTURE_INL
+#undef TUBERIA_RASTER_SIMD_TEXTURE_INL
+#else
+#define TUBERIA_RASTER_SIMD_TEXTURE_INL
+#endif
+
+#include "raster/sampler.hpp"
+#include "raster/simd/vector-inl.hpp"
+#include "raster/texture.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace tuberia {
+namespace HWY_NAMESPACE {
+
+/// uv: kLanes us, then kLanes vs; live: bit i is lane i. rgba: kLanes each, linear intensities.
+/// Defined in texture_kernels.cpp for both precisions.
+template <Precision P>
+void sample_lanes(const Texture& texture, const Sampler& sampler, const float* uv, std::uint32_t live, float* rgba);
+
+/// The texture's colour at uv. Lanes that are not live still lend their coordinates to the quad's
+/// derivatives; their own result means nothing.
+template <Precision P>
+HWY_INLINE Vec4<Float<P>> sample(const Texture& texture, const Sampler& sampler, Vec2<Float<P>> uv, Mask live) {
+  using F = Float<P>;
+  alignas(64) float coordinates[2 * kLanes], rgba[4 * kLanes];
+  store(uv.x, coordinates);
+  store(uv.y, coordinates + kLanes);
+  sample_lanes<P>(texture, sampler, coordinates, bits_of(live), rgba);
+  return {load<F>(rgba), load<F>(rgba + kLanes), load<F>(rgba + 2 * kLanes), load<F>(rgba + 3 * kLanes)};
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace tuberia
+HWY_AFTER_NAMESPACE();
+
+#endif
