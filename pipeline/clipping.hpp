@@ -1,0 +1,50 @@
+#pragma once
+// Stage 3: what lies outside the view volume is cut away, before anything is divided by w.
+
+#include <array>
+#include <span>
+
+#include "math/spaces.hpp"
+#include "pipeline/state.hpp"
+#include "pipeline/vertex_batch.hpp"
+
+namespace tuberia {
+
+/// The volume of a viewport: z by the ClipVolume; x and y as far as the guard band of +-32768
+/// pixels reaches, so that most triangles which leave the screen stay whole, and exact. [rules C7]
+ClipLimits clip_limits(const Viewport& viewport, ClipVolume volume) noexcept;
+
+/// A corner of a clipped polygon.
+struct ClippedCorner {
+  double position[4];  // x, y, z, w in clip space
+  double weight[3];    // of the triangle's vertices
+};
+
+/// A triangle cut by 6 planes has at most 3 + 6 corners.                     [C 3.7, FIX 3]
+struct ClippedPolygon {
+  std::array<ClippedCorner, 9> corner;
+  int count = 0;
+};
+
+/// Cuts a triangle (3 positions x, y, z, w; clip space, finite) with the planes named in `planes`
+/// (outcode bits). Returns a convex polygon of 0 or 3..9 corners, all with w > 0 and within the
+/// planes; a corner on a plane lies on it exactly. Cuts are computed from the inside to the
+/// outside, so that both triangles of an edge get the same vertex.       [rules C1, C2, C4, C6]
+ClippedPolygon clip_triangle(std::span<const std::array<double, 4>, 3> triangle, std::uint32_t planes,
+                             const ClipLimits& limits) noexcept;
+
+class Clipping {
+ public:
+  explicit Clipping(const ClipLimits& limits) noexcept : limits_(limits) {}
+
+  /// Drops triangles that are outside or not finite, cuts those that cross the volume into fans
+  /// with new vertices, and leaves the others untouched, all in order. Returns how many were cut.
+  int operator()(VertexBatch& vertices, TriangleBatch& triangles) const;
+
+ private:
+  void add_polygon(const ClippedPolygon& polygon, const std::uint32_t (&slot)[3], std::uint32_t provoking,
+                   std::uint32_t primitive, VertexBatch& vertices, TriangleBatch& out) const;
+  ClipLimits limits_;
+};
+
+}  // namespace tuberia

@@ -1,0 +1,26 @@
+#pragma once
+// Stage 5: triangles that cannot show are dropped before anyone looks at their attributes.
+
+#include "pipeline/state.hpp"
+#include "pipeline/vertex_batch.hpp"
+
+namespace tuberia {
+
+class Culling {
+ public:
+  /// clip: the pixels that may be drawn.
+  Culling(const CullingState& state, const PixelRect& clip, InstructionSet instruction_set) noexcept;
+
+  /// Drops, keeping the order: faces turned the wrong way, by the sign of the exact snapped area
+  /// that coverage uses, too, so that the two cannot disagree; triangles without area; triangles
+  /// whose bounds hold no pixel centre. The others come out clockwise on the screen.
+  ///                                                                  [C 3.9, FIX 4] [rules R4]
+  void operator()(VertexBatch& vertices, TriangleBatch& triangles) const;
+
+ private:
+  bool keep_clockwise_, keep_counter_clockwise_;
+  PixelRect clip_;
+  const GeometryKernels& kernels_;
+};
+
+}  // namespace tuberia

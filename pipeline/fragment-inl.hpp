@@ -1,0 +1,123 @@
+// What a fragment program sees: a register of fragments, with the attributes it declared.
+
+#if defined(TUBERIA_PIPELINE_FRAGMENT_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef TUBERIA_PIPELINE_FRAGMENT_INL
+#undef TUBERIA_PIPELINE_FRAGMENT_INL
+#else
+#define TUBERIA_PIPELINE_FRAGMENT_INL
+#endif
+
+#include "raster/attributes.hpp"
+#include "raster/simd/interpolation-inl.hpp"
+#include "raster/simd/texture-inl.hpp"
+#include "raster/simd/vector-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace tuberia {
+namespace HWY_NAMESPACE {
+
+/// A triangle's attributes: the values at vertex 0 and what vertices 1 and 2 have more.
+template <class Program>
+struct TriangleAttributes {
+  static constexpr Attributes kAll = Program::interpolated | Program::flat;
+  static constexpr int kCount = scalar_count(kAll);
+  float value[kCount + 1], delta1[kCount + 1], delta2[kCount + 1];
+
+  HWY_INLINE void load(const ScreenTriangle& t, const ChunkView& chunk, bool flat_shading) {
+    const auto vertex = [&](int slot) HWY_ATTR { return chunk.attributes + slot * chunk.stride; };
+    const float* first = vertex(flat_shading ? t.provoking_vertex : t.vertex[0]);
+    const float* second = vertex(flat_shading ? t.provoking_vertex : t.vertex[1]);
+    const float* third = vertex(flat_shading ? t.provoking_vertex : t.vertex[2]);
+    for (int i = 0; i < kCount; ++i) {
+      value[i] = first[i];
+      delta1[i] = second[i] - first[i];
+      delta2[i] = third[i] - first[i];
+    }
+    if constexpr (Program::flat != Attributes::none) load_flat(vertex(t.provoking_vertex));
+  }
+
+ private:
+  HWY_INLINE void load_flat(const float* provoking) {
+    for (std::uint32_t bit = 1; bit <= static_cast<std::uint32_t>(Attributes::custom); bit <<= 1) {
+      const auto one = static_cast<Attributes>(bit);
+      if (!contains(Program::flat, one)) continue;
+      for (int i = 0; i < scalar_count(one); ++i) {
+        const int at = scalar_offset(kAll, one) + i;
+        value[at] = provoking[at];
+        delta1[at] = delta2[at] = 0;
+      }
+    }
+  }
+};
+
+/// The argument of a program's shade(). Attributes are computed where they are asked for.
+template <class Program, class F>
+class Fragment {
+ public:
+  using Number = F;
+  using Attribs = TriangleAttributes<Program>;
+
+  HWY_INLINE Fragment(const Attribs& attributes, Mask live) : attributes_(attributes), live_(live) {}
+  HWY_INLINE void set_weights(F weight1, F weight2) {
+    weight_[0] = weight1;
+    weight_[1] = weight2;
+  }
+
+  HWY_INLINE Vec3<F> position() const { return triple<Attributes::position>(); }  // world space
+  HWY_INLINE Vec3<F> normal() const { return triple<Attributes::normal>(); }      // not unit
+  HWY_INLINE Vec2<F> texcoord() const {
+    constexpr int at = offset<Attributes::texcoord>();
+    return {scalar(at), scalar(at + 1)};
+  }
+  HWY_INLINE Vec4<F> colour() const { return quadruple<Attributes::colour>(); }
+  HWY_INLINE Vec4<F> custom() const { return quadruple<Attributes::custom>(); }
+
+  /// The texture's colour at uv, filtered by the derivatives of uv over each quad of fragments.
+  HWY_INLINE Vec4<F> sample(const Texture& texture, const Sampler& sampler, Vec2<F> uv) const {
+    return HWY_NAMESPACE::sample(texture, sampler, uv, live_);
+  }
+
+  /// Drops fragments: they change neither colour nor depth. Only for programs with may_discard.
+  HWY_INLINE void discard(Mask dropped) {
+    static_assert(Program::may_discard, "a program that discards says `static constexpr bool may_discard = true`");
+    live_ = live_ & !dropped;
+  }
+  HWY_INLINE Mask live() const { return live_; }
+
+ private:
+  template <Attributes kOne>
+  static constexpr int offset() {
+    static_assert(contains(Attribs::kAll, kOne), "a program may only read the attributes that it declares");
+    return scalar_offset(Attribs::kAll, kOne);
+  }
+  HWY_INLINE F scalar(int i) const {
+    return mul_add(weight_[1], F(attributes_.delta2[i]), mul_add(weight_[0], F(attributes_.delta1[i]), F(attributes_.value[i])));
+  }
+  template <Attributes kOne>
+  HWY_INLINE Vec3<F> triple() const {
+    constexpr int at = offset<kOne>();
+    return {scalar(at), scalar(at + 1), scalar(at + 2)};
+  }
+  template <Attributes kOne>
+  HWY_INLINE Vec4<F> quadruple() const {
+    constexpr int at = offset<kOne>();
+    return {scalar(at), scalar(at + 1), scalar(at + 2), scalar(at + 3)};
+  }
+
+  const Attribs& attributes_;
+  F weight_[2] = {F(0.0f), F(0.0f)};  // perspective-correct weights of vertices 1 and 2
+  Mask live_;
+};
+
+/// What a program derives from: nothing is read and nothing discarded unless it says so.
+struct ProgramBase {
+  static constexpr Attributes interpolated = Attributes::none;
+  static constexpr Attributes flat = Attributes::none;
+  static constexpr bool may_discard = false;
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace tuberia
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,157 @@
+// Stages 7 to 9 of the pipeline on one register of fragments: the order in which a fragment becomes
+// a pixel. The stages' own work is in raster/simd; here it is fused around one program, so that
+// nothing between coverage and the stored pixel leaves the registers.
+
+#if defined(TUBERIA_PIPELINE_FRAGMENT_CHAIN_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef TUBERIA_PIPELINE_FRAGMENT_CHAIN_INL
+#undef TUBERIA_PIPELINE_FRAGMENT_CHAIN_INL
+#else
+#define TUBERIA_PIPELINE_FRAGMENT_CHAIN_INL
+#endif
+
+#include "pipeline/fragment-inl.hpp"
+#include "pipeline/fragment_program.hpp"
+#include "raster/simd/blend-inl.hpp"
+#include "raster/simd/depth-inl.hpp"
+#include "raster/simd/interpolation-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace tuberia {
+namespace HWY_NAMESPACE {
+
+template <class Program, class F>
+class FragmentChain {
+ public:
+  HWY_INLINE FragmentChain(const FragmentJob& job, const Tile& tile, const ChunkView& chunk)
+      : job_(job), output_(job.output), tile_(tile), chunk_(chunk),
+        uniforms_(*static_cast<const typename Program::Uniforms*>(job.uniforms)) {}
+
+  HWY_INLINE void begin(const ScreenTriangle& triangle) {
+    triangle_ = &triangle;
+    if (!shades()) return;
+    attributes_.load(triangle, chunk_, job_.flat_shading);
+    if constexpr (kOneColour) begin_one_colour();
+  }
+
+  /// One register of covered fragments through the rest of the pipeline.
+  HWY_INLINE void operator()(const FragmentGroup<F>& group) {
+    Mask live = group.covered;
+
+    // 8 early: unless the program may discard, a fragment that will be hidden need not be shaded.
+    if constexpr (!Program::may_discard) {
+      live = test_depth(live, group);
+      if (none(live) || !shades()) return;
+    }
+
+    // 7 FragmentShading.
+    if constexpr (kOneColour) {
+      if (has_one_pixel_) {
+        store_where(live, one_pixel_, static_cast<std::uint32_t*>(tile_.colour) + group.index);
+        return;
+      }
+    }
+    const Vec4<F> colour = shade(group, live);
+
+    // 8 DepthTest, late.
+    if constexpr (Program::may_discard) {
+      if (none(live)) return;
+      live = test_depth(live, group);
+      if (none(live) || !output_.blend.write) return;
+    }
+
+    // 9 Blending.
+    write_colour(live, colour, output_, tile_.colour, group.index);
+  }
+
+  /// Runs the program; `live` loses the fragments it discards.
+  HWY_INLINE Vec4<F> shade(const FragmentGroup<F>& group, Mask& live) {
+    Fragment<Program, F> fragment(attributes_, live);
+    if constexpr (Program::interpolated != Attributes::none) {
+      F corrected[2];
+      correct_perspective(*triangle_, group.weight, corrected);
+      fragment.set_weights(corrected[0], corrected[1]);
+    }
+    const Vec4<F> colour = Program::shade(fragment, uniforms_);
+    if constexpr (Program::may_discard) live = fragment.live();
+    return colour;
+  }
+
+ private:
+  // Nothing varies over the triangle, so neither does its colour.
+  static constexpr bool kOneColour = Program::interpolated == Attributes::none && !Program::may_discard;
+
+  HWY_INLINE bool shades() const { return Program::may_discard || output_.blend.write; }
+
+  HWY_INLINE Mask test_depth(Mask live, const FragmentGroup<F>& group) const {
+    if (output_.depth == kDepthOff) return live;
+    const Int code = depth_code(interpolated_depth(*triangle_, group.weight), output_);
+    return depth_test(live, code, output_, tile_.depth + group.index);
+  }
+
+  HWY_INLINE void begin_one_colour() {
+    has_one_pixel_ = output_.blend.mode == BlendMode::replace && output_.colour_format != ColourFormat::rgba32f;
+    if (!has_one_pixel_) return;
+    Mask live = all_lanes();
+    one_pixel_ = encode(saturate(shade(FragmentGroup<F>{0, live, {F(0.0f), F(0.0f)}}, live)), output_.colour_format);
+  }
+
+  const FragmentJob& job_;
+  const OutputState& output_;
+  const Tile& tile_;
+  const ChunkView& chunk_;
+  const typename Program::Uniforms& uniforms_;
+  const ScreenTriangle* triangle_ = nullptr;
+  TriangleAttributes<Program> attributes_;
+  bool has_one_pixel_ = false;
+  Int one_pixel_;
+};
+
+template <class Program, Precision P>
+void draw_tile(const FragmentJob& job, const Tile& tile, const ChunkView& chunk, std::span<const std::uint16_t> triangles) {
+  using F = Float<P>;
+  FragmentChain<Program, F> chain(job, tile, chunk);
+  TriangleWalk<F> walk;
+  for (const std::uint16_t number : triangles) {
+    const ScreenTriangle& triangle = chunk.triangles[number];
+    if (!walk.begin(triangle, tile, job.output.clip)) continue;
+    chain.begin(triangle);
+    walk.for_each_group(chain);
+  }
+}
+
+template <class Program, Precision P>
+void shade_block(const FragmentJob& job, const ChunkView& chunk, FragmentBlock& block) {
+  using F = Float<P>;
+  const Tile no_tile;
+  FragmentJob shading = job;
+  shading.output.blend.write = true;
+  FragmentChain<Program, F> chain(shading, no_tile, chunk);
+  chain.begin(*block.triangle);
+  std::uint64_t kept = 0;
+  for (int first = 0; first < kBlockPixels; first += kLanes) {
+    Mask live = mask_of(static_cast<std::uint32_t>(block.live >> first & ((1u << kLanes) - 1u)));
+    if (none(live)) continue;
+    const FragmentGroup<F> group{first, live, {load<F>(block.weight[0] + first), load<F>(block.weight[1] + first)}};
+    const Vec4<F> colour = chain.shade(group, live);
+    store(colour.x, block.colour[0] + first);
+    store(colour.y, block.colour[1] + first);
+    store(colour.z, block.colour[2] + first);
+    store(colour.w, block.colour[3] + first);
+    kept |= static_cast<std::uint64_t>(bits_of(live)) << first;
+  }
+  block.live = kept;
+}
+
+/// The kernels of a program for the instruction set that is being compiled.
+template <class Program>
+const ProgramKernels& kernels_of(Precision precision) {
+  static constexpr ProgramKernels kExact{&draw_tile<Program, Precision::exact>, &shade_block<Program, Precision::exact>};
+  static constexpr ProgramKernels kFast{&draw_tile<Program, Precision::fast>, &shade_block<Program, Precision::fast>};
+  return precision == Precision::exact ? kExact : kFast;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace tuberia
+HWY_AFTER_NAMESPACE();
+
+#endif

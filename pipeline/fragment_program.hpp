@@ -1,0 +1,60 @@
+#pragma once
+// A fragment program as the pipeline sees it: what it reads, and its tile loops.
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <utility>
+
+#include "raster/attributes.hpp"
+#include "raster/fragment_block.hpp"
+#include "raster/instruction_set.hpp"
+#include "raster/tile.hpp"
+
+namespace tuberia {
+
+/// All that a tile loop needs beside its tile.
+struct FragmentJob {
+  OutputState output;
+  const void* uniforms = nullptr;
+  bool flat_shading = false;
+};
+
+/// One program compiled for one instruction set and precision.
+struct ProgramKernels {
+  /// Draws the listed triangles of a chunk into a tile, in order: coverage, interpolation, depth,
+  /// program and blending fused into one loop.
+  void (*draw_tile)(const FragmentJob&, const Tile&, const ChunkView&, std::span<const std::uint16_t> triangles);
+  /// Only the program: colours of the live fragments; clears the live bits of discarded ones.
+  void (*shade)(const FragmentJob&, const ChunkView&, FragmentBlock&);
+};
+
+/// What every instance of a program has in common.
+struct ProgramInterface {
+  std::string_view name;
+  Attributes interpolated = Attributes::none;  // over the triangle
+  Attributes flat = Attributes::none;          // as at its first vertex
+  const ProgramKernels& (*kernels)(InstructionSet, Precision) = nullptr;
+
+  constexpr Attributes attributes() const noexcept { return interpolated | flat; }
+};
+
+/// A program with its uniforms; cheap to copy.
+class FragmentProgram {
+ public:
+  FragmentProgram() = default;
+  template <class Uniforms>
+  FragmentProgram(const ProgramInterface& interface, Uniforms uniforms)
+      : interface_(&interface), uniforms_(std::make_shared<const Uniforms>(std::move(uniforms))) {}
+
+  bool is_set() const noexcept { return interface_ != nullptr; }
+  const ProgramInterface& interface() const noexcept { return *interface_; }
+  const void* uniforms() const noexcept { return uniforms_.get(); }
+
+ private:
+  const ProgramInterface* interface_ = nullptr;
+  std::shared_ptr<const void> uniforms_;
+};
+
+}  // namespace tuberia

@@ -1,0 +1,42 @@
+#pragma once
+// The whole pipeline: a draw call in, pixels out.
+
+#include <memory>
+#include <vector>
+
+#include "base/parallel_for.hpp"
+#include "base/result.hpp"
+#include "pipeline/chunk.hpp"
+#include "pipeline/draw_call.hpp"
+#include "raster/render_target.hpp"
+
+namespace tuberia {
+
+struct PipelineOptions {
+  int threads = 0;                                    // 0: one a core
+  InstructionSet instruction_set = best_instruction_set();
+  Precision precision = Precision::exact;
+};
+
+class Pipeline {
+ public:
+  /// The instruction set must be supported by this machine.
+  explicit Pipeline(const PipelineOptions& options = {});
+
+  /// Draws into the target; on an error the target is untouched. In exact precision neither the
+  /// threads nor the instruction set change a bit of the result.
+  Result<DrawStatistics> draw(RenderTarget& target, const DrawCall& draw_call);
+
+  /// Linear colour, and depth in [0, 1].
+  void clear(RenderTarget& target, const Rgba32F& colour, float depth = 1);
+
+  Workers& workers() noexcept { return workers_; }
+  const PipelineOptions& options() const noexcept { return options_; }
+
+ private:
+  PipelineOptions options_;
+  Workers workers_;
+  std::vector<std::unique_ptr<Chunk>> chunks_;  // kept from draw to draw, for their memory
+};
+
+}  // namespace tuberia

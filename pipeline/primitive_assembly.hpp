@@ -1,0 +1,24 @@
+#pragma once
+// Stage 2: vertices to triangles.
+
+#include <span>
+
+#include "pipeline/state.hpp"
+#include "pipeline/vertex_batch.hpp"
+#include "pipeline/vertex_fetch.hpp"
+
+namespace tuberia {
+
+class PrimitiveAssembly {
+ public:
+  explicit PrimitiveAssembly(const AssemblyState& state) noexcept : topology_(state.topology) {}
+
+  /// Joins the slots of a range's elements, as VertexFetch lists them. Every triangle keeps the
+  /// winding of its list, strip or fan; its first vertex there is the provoking one.   [C 3.6]
+  void operator()(std::span<const std::uint32_t> slots, PrimitiveRange range, TriangleBatch& out) const;
+
+ private:
+  Topology topology_;
+};
+
+}  // namespace tuberia

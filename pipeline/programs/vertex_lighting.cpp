@@ -1,0 +1,44 @@
+#include "pipeline/vertex_lighting.hpp"
+
+#undef TUBERIA_KERNEL_FILE
+#define TUBERIA_KERNEL_FILE "pipeline/programs/vertex_lighting.cpp"
+#include "raster/simd/every_instruction_set.hpp"
+
+#include "pipeline/programs/lighting-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace tuberia {
+namespace HWY_NAMESPACE {
+
+inline void light_vertices(const Lighting& lighting, const float* points, const float* normals, int pitch, float* colours) {
+  using F = Float<Precision::exact>;
+  const auto triple = [&](const float* arrays, int i) HWY_ATTR {
+    return Vec3<F>{load<F>(arrays + i), load<F>(arrays + pitch + i), load<F>(arrays + 2 * pitch + i)};
+  };
+  for (int i = 0; i < pitch; i += kLanes) {
+    const Vec3<F> point = triple(points, i);
+    const Vec3<F> eye = normalize(Vec3<F>(lighting.eye) - point);
+    const Vec3<F> colour = illuminate(lighting, point, triple(normals, i), eye, Vec3<F>(lighting.diffuse));
+    // As OpenGL does, colours are clamped at the vertices, before they are interpolated.
+    store(saturate(colour.x), colours + i);
+    store(saturate(colour.y), colours + pitch + i);
+    store(saturate(colour.z), colours + 2 * pitch + i);
+    store(F(lighting.alpha), colours + 3 * pitch + i);
+  }
+}
+
+inline VertexLightingKernel light_vertices_kernel() { return &light_vertices; }
+
+}  // namespace HWY_NAMESPACE
+}  // namespace tuberia
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace tuberia {
+
+VertexLightingKernel vertex_lighting_kernel(InstructionSet instruction_set) noexcept {
+  TUBERIA_RETURN_FOR(instruction_set, light_vertices_kernel())
+}
+
+}  // namespace tuberia
+#endif

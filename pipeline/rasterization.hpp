@@ -1,0 +1,37 @@
+#pragma once
+// Stage 6: screen triangles to fragments, an 8x8 block at a time.
+
+#include <vector>
+
+#include "pipeline/vertex_batch.hpp"
+#include "raster/binning.hpp"
+#include "raster/fragment_block.hpp"
+#include "raster/render_target.hpp"
+
+namespace tuberia {
+
+class Rasterization {
+ public:
+  /// clip: the pixels that may be drawn.
+  Rasterization(const PixelRect& clip, InstructionSet instruction_set, Precision precision) noexcept
+      : clip_(clip), geometry_(geometry_kernels(instruction_set)), blocks_(block_kernels(instruction_set, precision)) {}
+
+  /// Edge functions, depth and 1/w of each triangle, by exact arithmetic on snapped vertices.
+  void set_up(TriangleBatch& triangles, VertexBatch& vertices, std::vector<ScreenTriangle>& out) const;
+
+  /// Sorts triangles into the tiles of a target.
+  void bin(std::span<const ScreenTriangle> triangles, int tiles_per_row, int tile_rows, TileLists& out) const {
+    out.build(triangles, clip_, tiles_per_row, tile_rows);
+  }
+
+  /// The blocks of fragments of one triangle on a target, tile by tile. The tile loops do the same
+  /// without writing blocks to memory. The triangle must outlive the blocks.       [C 4.2] [rules R2, R3]
+  std::vector<FragmentBlock> blocks(const ScreenTriangle& triangle, RenderTarget& target) const;
+
+ private:
+  PixelRect clip_;
+  const GeometryKernels& geometry_;
+  const BlockKernels& blocks_;
+};
+
+}  // namespace tuberia

@@ -1,0 +1,22 @@
+#pragma once
+// Stage 0: the only place that refuses a draw; after it nothing fails.
+
+#include "base/parallel_for.hpp"
+#include "base/result.hpp"
+#include "pipeline/draw_call.hpp"
+#include "raster/render_target.hpp"
+
+namespace tuberia {
+
+/// A draw call that was accepted, with what every stage derives from its state.
+struct AcceptedDraw {
+  Viewport viewport;
+  PixelRect clip;            // target, viewport and scissor
+  OutputState output;
+};
+
+/// Error naming the culprit: an index beyond the vertices, attribute arrays of the wrong length, a
+/// program without its attributes, a viewport or depth range out of bounds, bad lighting.
+Result<AcceptedDraw> validate(const DrawCall& draw, const RenderTarget& target, Workers& workers);
+
+}  // namespace tuberia
