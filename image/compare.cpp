@@ -20,8 +20,7 @@ DecodeTable srgb_decode_table() {
   DecodeTable intensities{};
   for (int code = 0; code < 256; ++code) {
     const double encoded = code / 255.0;
-    intensities[code] =
-        encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+    intensities[code] = encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
   }
   return intensities;
 }
@@ -29,7 +28,8 @@ DecodeTable srgb_decode_table() {
 /// The compressive function of L*a*b*, of an intensity relative to white.
 double lab_curve(double ratio) {
   constexpr double kDelta = 6.0 / 29.0;
-  return ratio > kDelta * kDelta * kDelta ? std::cbrt(ratio) : ratio / (3.0 * kDelta * kDelta) + 4.0 / 29.0;
+  return ratio > kDelta * kDelta * kDelta ? std::cbrt(ratio)
+                                          : ratio / (3.0 * kDelta * kDelta) + 4.0 / 29.0;
 }
 
 Lab lab_from_srgb(const Rgba8& pixel, const DecodeTable& intensities) {
@@ -61,7 +61,8 @@ std::uint8_t visible(int difference_codes) {
 }
 
 Rgba8 visible_difference(const Rgba8& a, const Rgba8& b) {
-  const Rgba8 shown{visible(difference(a.r, b.r)), visible(difference(a.g, b.g)), visible(difference(a.b, b.b)), 255};
+  const Rgba8 shown{visible(difference(a.r, b.r)), visible(difference(a.g, b.g)),
+                    visible(difference(a.b, b.b)), 255};
   const bool only_alpha = shown == Rgba8{} && a.a != b.a;
   return only_alpha ? Rgba8{255, 255, 255, 255} : shown;
 }
@@ -70,8 +71,8 @@ Rgba8 visible_difference(const Rgba8& a, const Rgba8& b) {
 
 Result<Comparison> compare(const Image<Rgba8>& a, const Image<Rgba8>& b) {
   if (a.width() != b.width() || a.height() != b.height()) {
-    return Error{"cannot compare images of different sizes: " + size_text(a.width(), a.height()) + " and " +
-                 size_text(b.width(), b.height())};
+    return Error{"cannot compare images of different sizes: " + size_text(a.width(), a.height()) +
+                 " and " + size_text(b.width(), b.height())};
   }
   if (a.empty()) return Error{"cannot compare images without pixels"};
 

@@ -18,7 +18,7 @@ struct CloseFile {
 using File = std::unique_ptr<std::FILE, CloseFile>;
 
 Error file_error(const char* deed, const fs::path& path, const std::string& reason) {
-  return {std::string("cannot ") + deed + " " + quoted(path) + ": " + reason};
+  return {std::string("cannot ") + deed + " " + quoted_path(path) + ": " + reason};
 }
 
 std::string reason_of(int error_number) {
@@ -41,9 +41,10 @@ std::string why_not_writable(const fs::path& path) {
   if (path.filename().empty()) return "the path has no file name";
   std::error_code code;
   const fs::file_status folder = fs::status(path.parent_path().empty() ? "." : path.parent_path(), code);
-  if (folder.type() == fs::file_type::not_found) return "no such folder " + quoted(path.parent_path());
+  if (folder.type() == fs::file_type::not_found)
+    return "no such folder " + quoted_path(path.parent_path());
   if (code) return code.message();
-  if (!fs::is_directory(folder)) return quoted(path.parent_path()) + " is not a folder";
+  if (!fs::is_directory(folder)) return quoted_path(path.parent_path()) + " is not a folder";
 
   const fs::file_status target = fs::status(path, code);
   if (target.type() == fs::file_type::not_found) return {};
@@ -76,7 +77,7 @@ int write_all(std::FILE* file, std::span<const std::byte> bytes) {
 
 }  // namespace
 
-std::string quoted(const fs::path& path) {
+std::string quoted_path(const fs::path& path) {
   std::string text = path.string();
   for (char& letter : text) {
     const auto code = static_cast<unsigned char>(letter);
@@ -109,7 +110,8 @@ Result<std::vector<std::byte>> read_file(const fs::path& path) {
   std::vector<std::byte> bytes(static_cast<std::size_t>(size));
   errno = 0;
   if (std::fread(bytes.data(), 1, bytes.size(), file.get()) != bytes.size()) {
-    return file_error("read", path, std::ferror(file.get()) ? reason_of(errno) : "the file shrank meanwhile");
+    return file_error("read", path,
+                      std::ferror(file.get()) ? reason_of(errno) : "the file shrank meanwhile");
   }
   return bytes;
 }

@@ -13,7 +13,7 @@
 namespace tuberia {
 
 /// The path between quotation marks, control characters as '?', so that it fits a one-line error.
-std::string quoted(const std::filesystem::path& path);
+std::string quoted_path(const std::filesystem::path& path);
 
 /// The extension with its dot, in lower case: ".png" for "A.PNG"; "" if there is none.
 std::string lower_case_extension(const std::filesystem::path& path);

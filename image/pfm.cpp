@@ -66,7 +66,8 @@ float float_at(const std::byte* bytes, bool little_endian) {
 
 void append_float(std::vector<std::byte>& bytes, float value) {
   const auto bits = std::bit_cast<std::uint32_t>(value);
-  for (int shift = 0; shift < 32; shift += 8) bytes.push_back(static_cast<std::byte>(bits >> shift & 0xffu));
+  for (int shift = 0; shift < 32; shift += 8)
+    bytes.push_back(static_cast<std::byte>(bits >> shift & 0xffu));
 }
 
 std::vector<std::byte> header_bytes(const char* magic, int width, int height) {
@@ -87,7 +88,8 @@ Result<Image<Rgba32F>> decode_pfm(std::span<const std::byte> bytes) {
     return Error{"it claims " + size_text(header->width, header->height) + " pixels, which is too large"};
   }
   const std::size_t row_bytes = static_cast<std::size_t>(header->width) * header->channels * 4;
-  if (bytes.size() < header->size_bytes + row_bytes * header->height) return Error{"the file is truncated"};
+  if (bytes.size() < header->size_bytes + row_bytes * header->height)
+    return Error{"the file is truncated"};
 
   Image<Rgba32F> image(header->width, header->height);
   const std::byte* source = bytes.data() + header->size_bytes;

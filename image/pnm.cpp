@@ -69,7 +69,8 @@ Result<Image<Rgba8>> decode_pnm(std::span<const std::byte> bytes) {
   ++position;
   const CodeFormat format{.largest = largest, .bytes = largest > 255 ? 2 : 1};
   const std::size_t pixel_bytes = static_cast<std::size_t>(channels) * format.bytes;
-  const std::size_t image_bytes = pixel_bytes * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  const std::size_t image_bytes =
+      pixel_bytes * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   if (bytes.size() < position + image_bytes) {
     return Error{"it claims " + size_text(width, height) + " pixels, but the file is truncated"};
   }
@@ -91,7 +92,8 @@ std::vector<std::byte> encode_ppm(const Image<Rgba8>& image) {
   bytes.reserve(header.size() + 3 * image.pixels().size());
   for (const char letter : header) bytes.push_back(static_cast<std::byte>(letter));
   for (const Rgba8& pixel : image.pixels()) {
-    for (const std::uint8_t code : {pixel.r, pixel.g, pixel.b}) bytes.push_back(static_cast<std::byte>(code));
+    for (const std::uint8_t code : {pixel.r, pixel.g, pixel.b})
+      bytes.push_back(static_cast<std::byte>(code));
   }
   return bytes;
 }

@@ -101,12 +101,14 @@ Result<Image<Rgba32F>> read_header(Reader& reader) {
   if (reader.past_end) return Error{"the file is truncated"};
   const int height = number_after(size, "-Y ");
   const int width = number_after(size, " +X ");
-  if (width == 0 || height == 0) return Error{"its header gives no valid size of the form -Y height +X width"};
+  if (width == 0 || height == 0)
+    return Error{"its header gives no valid size of the form -Y height +X width"};
   if (!reasonable_size(width, height)) {
     return Error{"it claims " + size_text(width, height) + " pixels, which is too large"};
   }
   // Four components in runs of at most 127 pixels, each of two bytes.
-  const std::uint64_t least_bytes = std::uint64_t(height) * (8 * (static_cast<std::uint64_t>(width) / 128));
+  const std::uint64_t least_bytes =
+      std::uint64_t(height) * (8 * (static_cast<std::uint64_t>(width) / 128));
   if (reader.bytes.size() < least_bytes) return Error{"the file is truncated"};
   return Image<Rgba32F>(width, height);
 }

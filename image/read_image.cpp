@@ -74,7 +74,7 @@ std::string stb_reason() {
   const char* reason = stbi_failure_reason();
   if (reason == nullptr) return "corrupt image";
   return std::strcmp(reason, "Image not of any known type, or corrupt") == 0 ? "unknown image format"
-                                                                            : reason;
+                                                                             : reason;
 }
 
 /// What speaks against an image that claims these sides; empty if nothing.
@@ -115,7 +115,7 @@ Result<Image<Rgba8>> decode_with_stb(std::span<const std::byte> bytes, const std
 }  // namespace
 
 Result<Image<Rgba8>> decode_image(std::span<const std::byte> bytes, std::string_view name) {
-  const std::string quoted_name = quoted(std::filesystem::path(name));
+  const std::string quoted_name = quoted_path(std::filesystem::path(name));
   if (bytes.empty()) return refusal(quoted_name, "it is empty");
   if (is_pnm(bytes)) {
     Result<Image<Rgba8>> image = decode_pnm(bytes);
@@ -138,10 +138,10 @@ Result<Image<Rgba32F>> read_float_image(const std::filesystem::path& path) {
                              ((*bytes)[1] == std::byte{'F'} || (*bytes)[1] == std::byte{'f'});
   if (!begins_as_pfm && !is_radiance(*bytes)) {
     // 8-bit codes are no intensities; to decode them is for the caller, who knows their curve.
-    return refusal(quoted(path), "it is neither a Radiance .hdr nor a .pfm file");
+    return refusal(quoted_path(path), "it is neither a Radiance .hdr nor a .pfm file");
   }
   Result<Image<Rgba32F>> image = begins_as_pfm ? decode_pfm(*bytes) : decode_radiance(*bytes);
-  return image ? std::move(image) : refusal(quoted(path), image.error().message);
+  return image ? std::move(image) : refusal(quoted_path(path), image.error().message);
 }
 
 }  // namespace tuberia

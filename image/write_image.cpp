@@ -21,13 +21,14 @@ constexpr int kJpegQuality = 95;
 constexpr float kLargestRadiance = 1e38f;  // the format's exponent ends at 2^127
 
 Error refusal(const std::filesystem::path& path, const std::string& reason) {
-  return {"cannot write image " + quoted(path) + ": " + reason};
+  return {"cannot write image " + quoted_path(path) + ": " + reason};
 }
 
 Error unknown_extension(const std::filesystem::path& path, const char* supported) {
   const std::string extension = lower_case_extension(path);
-  return refusal(path, (extension.empty() ? "it has no extension" : "unknown extension '" + extension + "'") +
-                           "; supported: " + supported);
+  return refusal(path,
+                 (extension.empty() ? "it has no extension" : "unknown extension '" + extension + "'") +
+                     "; supported: " + supported);
 }
 
 /// stb's way of handing over what it encoded, piece by piece.

@@ -61,7 +61,7 @@ const std::array<float, 257>& srgb_code_thresholds() {
 std::uint8_t unorm8_from_linear(float intensity) noexcept {
   if (!(intensity > 0.0f)) return 0;
   if (intensity >= 1.0f) return 255;
-  return static_cast<std::uint8_t>(255.0f * intensity + 0.5f);
+  return static_cast<std::uint8_t>(static_cast<double>(255.0f * intensity) + 0.5);
 }
 
 }  // namespace tuberia

@@ -24,7 +24,7 @@ std::uint8_t srgb_code_from_linear(double intensity) noexcept;
 const std::array<float, 257>& srgb_code_thresholds();
 
 /// The code of a linear 8-bit target: floor(255 x + 0.5) of x clamped to 0..1, NaN gives 0
-/// (rules B1). Two float operations, each rounded, as a wide kernel does them.
+/// (rules B1). The product is rounded to float, as in a wide kernel; the rest is exact.
 std::uint8_t unorm8_from_linear(float intensity) noexcept;
 
 }  // namespace tuberia

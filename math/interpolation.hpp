@@ -1,6 +1,6 @@
 #pragma once
-// The definition of perspective-correct interpolation, for references and tests; the rasterizer
-// evaluates planes instead.
+// The definition of perspective-correct interpolation, for references and tests; the
+// rasterizer's wide form is in raster/simd/interpolation-inl.hpp.
 
 #include <array>
 

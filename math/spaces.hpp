@@ -65,8 +65,8 @@ inline NdcPosition divide(const ClipPosition& position) noexcept {
 }
 
 /// Maps ndc to the target: ndc (-1, 1) to the viewport's upper left corner, (1, -1) to its lower
-/// right one. Depth is not clamped. Float arithmetic in exactly the order written, so that a wide
-/// kernel can repeat its bits; half a viewport's width and height are exact.
+/// right one. Depth is not clamped. In float, for reference: the pipeline's
+/// PerspectiveDivide computes the same in double and rounds once.
 inline ScreenPosition screen_from_ndc(const NdcPosition& ndc, const Viewport& viewport,
                                       const DepthRange& range, ClipVolume volume) noexcept {
   const float half_width = 0.5f * static_cast<float>(viewport.width_pixels);
