@@ -32,10 +32,12 @@ double distance(const Plane& plane, const ClippedCorner& c) {
 /// Where the way from a corner inside to one outside meets the plane.
 ClippedCorner cut(const Plane& plane, const ClippedCorner& inside, double d_inside, const ClippedCorner& outside,
                   double d_outside) {
-  const double t = d_inside / (d_inside - d_outside);
+  // Two shares and not inside + t * (outside - inside): one end may be so far away that the other is
+  // lost in their difference.
+  const double share_outside = d_inside / (d_inside - d_outside), share_inside = -d_outside / (d_inside - d_outside);
   ClippedCorner c;
-  for (int i = 0; i < 4; ++i) c.position[i] = inside.position[i] + t * (outside.position[i] - inside.position[i]);
-  for (int i = 0; i < 3; ++i) c.weight[i] = inside.weight[i] + t * (outside.weight[i] - inside.weight[i]);
+  for (int i = 0; i < 4; ++i) c.position[i] = share_inside * inside.position[i] + share_outside * outside.position[i];
+  for (int i = 0; i < 3; ++i) c.weight[i] = share_inside * inside.weight[i] + share_outside * outside.weight[i];
   // On the plane exactly, whatever the rounding: otherwise large triangles lose the screen.
   c.position[plane.axis] = -plane.factor * plane.w_factor * c.position[3];
   return c;
@@ -131,9 +133,10 @@ void Clipping::add_polygon(const ClippedPolygon& polygon, const std::uint32_t (&
   std::array<std::uint32_t, 9> corner_slot{};
   for (std::size_t i = 0; i < static_cast<std::size_t>(polygon.count); ++i) {
     const ClippedCorner& corner = polygon.corner[i];
-    // A corner that was a vertex keeps its slot, and with it every bit of its place.
+    // A corner that was a vertex keeps its slot, and with it every bit of its place. (A share of 1
+    // alone does not make it one: it may have been rounded, and little of a far vertex is much.)
     const auto whole = std::find(corner.weight, corner.weight + 3, 1.0);
-    if (whole != corner.weight + 3) {
+    if (whole != corner.weight + 3 && std::count(corner.weight, corner.weight + 3, 0.0) == 2) {
       corner_slot[i] = slot[whole - corner.weight];
       continue;
     }

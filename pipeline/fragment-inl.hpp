@@ -7,6 +7,8 @@
 #define TUBERIA_PIPELINE_FRAGMENT_INL
 #endif
 
+#include <algorithm>
+
 #include "raster/attributes.hpp"
 #include "raster/simd/interpolation-inl.hpp"
 #include "raster/simd/texture-inl.hpp"
@@ -21,17 +23,21 @@ template <class Program>
 struct TriangleAttributes {
   static constexpr Attributes kAll = Program::interpolated | Program::flat;
   static constexpr int kCount = scalar_count(kAll);
-  float value[kCount + 1], delta1[kCount + 1], delta2[kCount + 1];
+  static constexpr int kPadded = std::max(vertex_stride(kAll), 4);
+  float value[kPadded], delta1[kPadded], delta2[kPadded];
 
   HWY_INLINE void load(const ScreenTriangle& t, const ChunkView& chunk, bool flat_shading) {
     const auto vertex = [&](int slot) HWY_ATTR { return chunk.attributes + slot * chunk.stride; };
     const float* first = vertex(flat_shading ? t.provoking_vertex : t.vertex[0]);
     const float* second = vertex(flat_shading ? t.provoking_vertex : t.vertex[1]);
     const float* third = vertex(flat_shading ? t.provoking_vertex : t.vertex[2]);
-    for (int i = 0; i < kCount; ++i) {
-      value[i] = first[i];
-      delta1[i] = second[i] - first[i];
-      delta2[i] = third[i] - first[i];
+    // Records are whole groups of four floats.
+    const hn::CappedTag<float, 4> four;
+    for (int i = 0; i < kCount; i += 4) {
+      const auto base = hn::LoadU(four, first + i);
+      hn::StoreU(base, four, value + i);
+      hn::StoreU(hn::Sub(hn::LoadU(four, second + i), base), four, delta1 + i);
+      hn::StoreU(hn::Sub(hn::LoadU(four, third + i), base), four, delta2 + i);
     }
     if constexpr (Program::flat != Attributes::none) load_flat(vertex(t.provoking_vertex));
   }

@@ -106,13 +106,33 @@ class FragmentChain {
   Int one_pixel_;
 };
 
+/// What the next triangles will want, asked for while this one is drawn.
+HWY_INLINE void prefetch(const ScreenTriangle& triangle) {
+  const char* bytes = reinterpret_cast<const char*>(&triangle);
+  prefetch(bytes);
+  prefetch(bytes + 64);
+}
+
+/// All of a tile's depths and codes, which many small triangles would otherwise wait for one by one.
+HWY_INLINE void prefetch(const Tile& tile) {
+  const char* depth = reinterpret_cast<const char*>(tile.depth);
+  const char* colour = static_cast<const char*>(tile.colour);
+  for (int i = 0; i < kTilePixels * 4; i += 64) {
+    prefetch(depth + i);
+    prefetch(colour + i);
+  }
+}
+
 template <class Program, Precision P>
 void draw_tile(const FragmentJob& job, const Tile& tile, const ChunkView& chunk, std::span<const std::uint16_t> triangles) {
   using F = Float<P>;
   FragmentChain<Program, F> chain(job, tile, chunk);
   TriangleWalk<F> walk;
-  for (const std::uint16_t number : triangles) {
-    const ScreenTriangle& triangle = chunk.triangles[number];
+  constexpr std::size_t kManyTriangles = 32;
+  if (triangles.size() >= kManyTriangles) prefetch(tile);
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const ScreenTriangle& triangle = chunk.triangles[triangles[i]];
+    if (i + 2 < triangles.size()) prefetch(chunk.triangles[triangles[i + 2]]);
     if (!walk.begin(triangle, tile, job.output.clip)) continue;
     chain.begin(triangle);
     walk.for_each_group(chain);

@@ -16,7 +16,7 @@ namespace tuberia {
 namespace {
 
 // At once in flight: enough for many threads, little enough for the last cache.
-constexpr std::int64_t kChunksInFlight = 64;
+constexpr std::int64_t kChunksInFlight = 128;
 
 /// Stages 1 to 5, and the setup of 6, on one chunk of primitives.
 struct Geometry {

@@ -14,7 +14,8 @@ class PrimitiveAssembly {
   explicit PrimitiveAssembly(const AssemblyState& state) noexcept : topology_(state.topology) {}
 
   /// Joins the slots of a range's elements, as VertexFetch lists them. Every triangle keeps the
-  /// winding of its list, strip or fan; its first vertex there is the provoking one.   [C 3.6]
+  /// winding of its list, strip or fan; its first vertex there is the
+  /// provoking one; a fan's is the earlier of the two on the rim, not the hub.   [C 3.6]
   void operator()(std::span<const std::uint32_t> slots, PrimitiveRange range, TriangleBatch& out) const;
 
  private:

@@ -40,14 +40,14 @@ struct Lighting {
   bool two_sided = false;            // light the side that faces the eye
   glm::vec3 eye{0, 0, 1};            // world space
   std::array<Light, kMaxLights> lights{};
-  int light_count = 1;               // 0..kMaxLights
+  int light_count = 1;               // 0..kMaxLights; more are ignored
   bool operator==(const Lighting&) const = default;
 };
 
 struct TransformState {
   glm::mat4 world_from_object{1.0f};
   glm::mat4 clip_from_world{1.0f};
-  std::optional<Lighting> vertex_lighting;  // when set, colours are lit at the vertices (Gouraud)
+  std::optional<Lighting> vertex_lighting;  // when set, light times the mesh's colours (Gouraud)
   bool operator==(const TransformState&) const = default;
 };
 

@@ -1,7 +1,6 @@
 #include "pipeline/validate.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -69,8 +68,9 @@ Refusal check_program(const DrawCall& draw) {
 
 Refusal check_viewport(const Viewport& viewport, const DepthRange& range) {
   constexpr int kMost = RenderTarget::kMaxSize;
-  if (viewport.width_pixels < 0 || viewport.height_pixels < 0 || viewport.width_pixels > kMost ||
-      viewport.height_pixels > kMost || std::abs(viewport.x) > kMost || std::abs(viewport.y) > kMost)
+  const auto within = [](int x, int low) { return x >= low && x <= kMost; };
+  if (!within(viewport.width_pixels, 0) || !within(viewport.height_pixels, 0) || !within(viewport.x, -kMost) ||
+      !within(viewport.y, -kMost))
     return Error{"the viewport " + std::to_string(viewport.width_pixels) + "x" + std::to_string(viewport.height_pixels) +
                  " at (" + std::to_string(viewport.x) + ", " + std::to_string(viewport.y) + ") is out of range: sizes 0 to " +
                  std::to_string(kMost) + ", corners within +-" + std::to_string(kMost)};

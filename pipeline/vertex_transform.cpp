@@ -57,6 +57,12 @@ void copy(std::span<const Vector> from, const Vector& missing, const UsedVertice
   }
 }
 
+/// Light times the surface's own colours.
+void multiply(std::span<const glm::vec4> surface, const UsedVertices& used, int pitch, float* light) {
+  for (int i = 0; i < used.count; ++i)
+    for (int k = 0; k < 4; ++k) light[k * pitch + i] *= surface[used.sources[static_cast<std::size_t>(i)]][k];
+}
+
 void interpolate_clipped(VertexBatch& batch) {
   const auto stride = static_cast<std::size_t>(batch.stride);
   for (std::size_t i = 0; i < batch.clipped.size(); ++i) {
@@ -116,6 +122,7 @@ void VertexTransform::attributes(const MeshView& mesh, Attributes wanted, const 
   if (lit) {
     AlignedVector<float> colours(static_cast<std::size_t>(pitch) * 4);
     vertex_lighting_kernel(instruction_set_)(*state_.vertex_lighting, points.data(), normals.data(), pitch, colours.data());
+    if (!mesh.colours.empty()) multiply(mesh.colours, used, pitch, colours.data());
     scatter(colours.data(), pitch, 4, used, offset(Attributes::colour), batch);
   } else if (contains(wanted, Attributes::colour)) {
     copy(mesh.colours, glm::vec4(1), used, offset(Attributes::colour), batch);

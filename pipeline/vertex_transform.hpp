@@ -15,7 +15,7 @@ class VertexTransform {
   void positions(const MeshView& mesh, VertexBatch& batch) const;
 
   /// The attributes in `wanted` of the vertices that `triangles` use: positions and normals to
-  /// world space, colours lit when the state says so, the rest as it is; those that clipping made
+  /// world space, colours lit (and multiplied with the mesh's) when the state says so, the rest as it is; those that clipping made
   /// are interpolated from theirs. An attribute the mesh lacks is white, for a colour, or 0.
   void attributes(const MeshView& mesh, Attributes wanted, const TriangleBatch& triangles, VertexBatch& batch) const;
 

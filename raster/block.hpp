@@ -1,10 +1,11 @@
 #pragma once
 // How pixels lie in memory: a tile is 8x8 blocks, a block 4x4 quads, a quad 2x2 pixels.
 //
-// Within a quad the order is (0,0) (1,0) (0,1) (1,1), and quads follow each other row by row. Four
-// neighbours in memory are therefore always a quad, whatever the width of the machine's vectors:
-// 4 lanes are 2x2 pixels, 8 are 4x2, 16 are 8x2, each one contiguous load, and screen-space
-// derivatives are differences inside groups of four lanes.
+// Within a quad the order is (0,0) (1,0) (0,1) (1,1), and quads follow each other in the same
+// zigzag, first within 4x4 pixels, then within the block (Morton order). Neighbours in memory are
+// therefore compact groups, whatever the width of the machine's vectors: 4 lanes are 2x2 pixels,
+// 8 are 4x2, 16 are 4x4, each one contiguous load; compact, because a small triangle then touches
+// few of them; and screen-space derivatives are differences inside groups of four lanes.
 
 #include <cstdint>
 
@@ -12,7 +13,6 @@ namespace tuberia {
 
 inline constexpr int kBlockSize = 8;                              // pixels, each way
 inline constexpr int kBlockPixels = kBlockSize * kBlockSize;      // 64: one bit each in a mask
-inline constexpr int kQuadsPerBlockRow = kBlockSize / 2;
 #ifndef TUBERIA_TILE_SIZE
 #define TUBERIA_TILE_SIZE 64  // only the tests of invariance compile with another
 #endif
@@ -21,14 +21,14 @@ inline constexpr int kBlocksPerTileRow = kTileSize / kBlockSize;
 inline constexpr int kTilePixels = kTileSize * kTileSize;
 static_assert(kTileSize % kBlockSize == 0 && kTileSize <= 64);
 
-/// Index of pixel (x, y), 0..7 each, in a block.
+/// Index of pixel (x, y), 0..7 each, in a block: the bits of x and y by turns.
 constexpr int index_in_block(int x, int y) noexcept {
-  return ((y >> 1) * kQuadsPerBlockRow + (x >> 1)) * 4 + (y & 1) * 2 + (x & 1);
+  return (x & 1) | (y & 1) << 1 | (x & 2) << 1 | (y & 2) << 2 | (x & 4) << 2 | (y & 4) << 3;
 }
 
 /// Column and row in its block of the pixel at an index.
-constexpr int block_x(int index) noexcept { return (index >> 2) % kQuadsPerBlockRow * 2 + (index & 1); }
-constexpr int block_y(int index) noexcept { return (index >> 2) / kQuadsPerBlockRow * 2 + (index >> 1 & 1); }
+constexpr int block_x(int index) noexcept { return (index & 1) | (index >> 1 & 2) | (index >> 2 & 4); }
+constexpr int block_y(int index) noexcept { return block_x(index >> 1); }
 
 /// Index of pixel (x, y) of a tile, 0..kTileSize-1 each.
 constexpr int index_in_tile(int x, int y) noexcept {

@@ -57,7 +57,7 @@ struct GeometryKernels {
                               const ClipLimits& limits, const ClipArrays& out);
 
   /// Divides by w, maps to the screen and snaps to 24.8, round to nearest even; vertices with
-  /// w <= 0 give 0. In double.                                                       [rules R1]
+  /// w <= 0 get the viewport's centre. In double.                                                       [rules R1]
   void (*project)(const ClipArrays& clip, int count, const ScreenMap& map, const ScreenArrays& out);
 
   /// Keeps, in place and in order, the triangles with an area whose face is wanted and whose bounds

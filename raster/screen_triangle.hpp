@@ -14,6 +14,7 @@ namespace tuberia {
 /// top-left rule has already been taken off, so a centre is covered exactly when all e >= 0.
 struct ScreenTriangle {
   std::int32_t per_x[3], per_y[3];  // |.| <= 2^24
+  std::int32_t constant_low[3];     // the constants' lowest 32 bits
   double constant[3];               // integers, |.| <= 2^42
 
   // Barycentric weight i (i = 1, 2) at a centre: weight_scale * e + weight_offset[i-1].
@@ -23,7 +24,7 @@ struct ScreenTriangle {
   // Depth is linear in screen space: depth + w1 * depth_delta[0] + w2 * depth_delta[1].
   float depth, depth_delta[2];
 
-  float inverse_w[3];               // 1/w of the three vertices, clip space
+  float inverse_w[3];               // smallest w / w of each vertex: 1/w up to a common factor
 
   std::int16_t left, top, right, bottom;  // centres that may be covered, all inclusive
   std::uint16_t vertex[3];          // slots of the vertices in their chunk

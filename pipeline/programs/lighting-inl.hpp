@@ -7,6 +7,8 @@
 #define TUBERIA_PIPELINE_PROGRAMS_LIGHTING_INL
 #endif
 
+#include <algorithm>
+
 #include "pipeline/state.hpp"
 #include "raster/simd/elementary-inl.hpp"
 #include "raster/simd/vector-inl.hpp"
@@ -33,7 +35,7 @@ HWY_INLINE Vec3<F> illuminate(const Lighting& lighting, Vec3<F> point, Vec3<F> n
   }
   const bool shines = lighting.specular != glm::vec3(0);
   Vec3<F> sum(lighting.ambient);
-  for (int i = 0; i < lighting.light_count; ++i) {
+  for (int i = 0; i < std::min(lighting.light_count, Lighting::kMaxLights); ++i) {
     const Light& light = lighting.lights[static_cast<std::size_t>(i)];
     const Vec3<F> towards(light.towards);
     const Vec3<F> l = light.kind == Light::Kind::directional ? towards : normalize(towards - point);

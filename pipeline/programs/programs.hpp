@@ -37,6 +37,8 @@ FragmentProgram gouraud();
 FragmentProgram phong(const Lighting& lighting);
 /// The texture times its tint. cut_out: fragments below the alpha cutoff are discarded.
 FragmentProgram textured(TexturedUniforms uniforms, bool cut_out = false);
+/// The texture times the interpolated vertex colours, lit or not; tint and cutoff are not read.
+FragmentProgram textured_gouraud(TexturedUniforms uniforms);
 /// The local model with the texture's colour as its diffuse colour.
 FragmentProgram textured_lit(TexturedLitUniforms uniforms, bool cut_out = false);
 

@@ -21,7 +21,7 @@ HWY_INLINE Vec4<F> saturate(Vec4<F> c) { return {saturate(c.x), saturate(c.y), s
 
 /// floor(255 x + 1/2) of x in [0, 1].                                                   [rules B1]
 template <class F>
-HWY_INLINE Int unorm8(F x) { return truncate_to_int(mul_add(x, F(255.0f), F(0.5f))); }
+HWY_INLINE Int unorm8(F x) { return round_half_up(x * 255.0f); }
 
 HWY_INLINE Int pack(Int r, Int g, Int b, Int a) {
   return r | shift_left<8>(g) | shift_left<16>(b) | shift_left<24>(a);

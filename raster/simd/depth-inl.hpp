@@ -14,23 +14,33 @@ HWY_BEFORE_NAMESPACE();
 namespace tuberia {
 namespace HWY_NAMESPACE {
 
+/// The nearest 16-bit code of a depth in [0, 1]. The product with 65535 would be rounded, past the
+/// border of two codes for one depth in 250; 65536 times the depth is exact, and what is too much in
+/// it, once the depth, only decides about one code up or down.
+template <class F>
+HWY_INLINE Int code16(F depth) {
+  const F scaled = depth * 65536.0f;
+  const F whole = floor(scaled), rest = scaled - whole;
+  const Int one_more = select(rest - 0.5f >= depth, Int(1), Int(0));
+  const Int one_less = select(rest < depth - 0.5f, Int(1), Int(0));
+  return truncate_to_int(whole) + one_more - one_less;
+}
+
 /// Depth in [0, 1] as the buffer stores it: floor(depth * (2^n - 1) + 1/2), or the float's bits.
 /// All codes order as signed integers.                                              [rules Z1, Z2]
 template <class F>
 HWY_INLINE Int depth_code(F depth, const OutputState& state) {
+  const F clamped = min(max(depth, state.min_depth), state.max_depth);
   // Adding 0 turns -0 into 0, whose bits order before those of every positive number.
-  const F clamped = min(max(depth, state.min_depth), state.max_depth) + 0.0f;
-  if (state.depth_format == DepthFormat::d32f) return bits_of(clamped);
-
-  const F scaled = clamped * (state.depth_format == DepthFormat::d16 ? 65535.0f : 16777215.0f);
-  // Not floor(scaled + 1/2): just below one half that sum rounds up to 1.
-  const F whole = floor(scaled);
-  return truncate_to_int(select(scaled - whole >= 0.5f, whole + 1.0f, whole));
+  if (state.depth_format == DepthFormat::d32f) return bits_of(clamped + 0.0f);
+  if (state.depth_format == DepthFormat::d16) return code16(clamped);
+  return round_half_up(clamped * 16777215.0f);  // the right code for every float in [0, 1] (tried out)
 }
 
 HWY_INLINE Mask compare(Int code, Int stored, Compare test) {
+  if (test == Compare::less) return code < stored;  // nearly always: no jump by table
   switch (test) {
-    case Compare::less: return code < stored;
+    case Compare::less: break;
     case Compare::less_equal: return !(stored < code);
     case Compare::greater: return stored < code;
     case Compare::greater_equal: return !(code < stored);

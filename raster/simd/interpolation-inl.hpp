@@ -13,7 +13,7 @@ HWY_BEFORE_NAMESPACE();
 namespace tuberia {
 namespace HWY_NAMESPACE {
 
-/// Depth in [0, 1] at screen-space weights.
+/// Depth at screen-space weights, not yet clamped.
 template <class F>
 HWY_INLINE F interpolated_depth(const ScreenTriangle& t, const F* weight) {
   return mul_add(weight[1], F(t.depth_delta[1]), mul_add(weight[0], F(t.depth_delta[0]), F(t.depth)));

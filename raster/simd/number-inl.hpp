@@ -10,6 +10,7 @@
 #define TUBERIA_RASTER_SIMD_NUMBER_INL
 #endif
 
+#include <hwy/cache_control.h>
 #include <hwy/highway.h>
 
 #include <cstdint>
@@ -117,13 +118,25 @@ HWY_INLINE Mask is_negative(Int a) {
 }
 /// Bit i is lane i.
 HWY_INLINE std::uint32_t bits_of(Mask a) {
+#if HWY_TARGET == HWY_AVX3
+  return static_cast<std::uint32_t>(a.m.raw);
+#elif HWY_TARGET == HWY_AVX2
+  return static_cast<std::uint32_t>(_mm256_movemask_ps(a.m.raw));
+#elif HWY_TARGET == HWY_SSE4
+  return static_cast<std::uint32_t>(_mm_movemask_ps(a.m.raw));
+#else
   std::uint8_t bytes[8] = {};
   hn::StoreMaskBits(FloatTag{}, a.m, bytes);
   return static_cast<std::uint32_t>(bytes[0]) | static_cast<std::uint32_t>(bytes[1]) << 8;
+#endif
 }
 HWY_INLINE Mask mask_of(std::uint32_t bits) {
-  const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(bits), static_cast<std::uint8_t>(bits >> 8)};
-  return {hn::LoadMaskBits(FloatTag{}, bytes)};
+#if HWY_TARGET == HWY_AVX3
+  return {hn::Mask<FloatTag>{static_cast<__mmask16>(bits)}};
+#else
+  const hn::Vec<IntTag> bit_of_lane = hn::Shl(hn::Set(IntTag{}, 1), hn::Iota(IntTag{}, 0));
+  return {hn::RebindMask(FloatTag{}, hn::TestBit(hn::Set(IntTag{}, static_cast<std::int32_t>(bits)), bit_of_lane))};
+#endif
 }
 
 template <Precision P>
@@ -143,30 +156,46 @@ template <Precision P>
 HWY_INLINE void store(Float<P> a, float* to) { hn::StoreU(a.v, FloatTag{}, to); }
 HWY_INLINE void store(Int a, std::int32_t* to) { hn::StoreU(a.v, IntTag{}, to); }
 HWY_INLINE void store(Int a, std::uint32_t* to) { hn::StoreU(hn::BitCast(UintTag{}, a.v), UintTag{}, to); }
-/// Writes the lanes of the mask and leaves the others as they are.
+/// Writes the lanes of the mask and leaves the others as they are. Loads, blends and stores whole
+/// registers: processors do not forward a masked store to the next load, and the next triangle
+/// often wants the same pixels at once.
 template <class T, class V>
 HWY_INLINE void store_where(Mask m, V a, T* to) {
-#if HWY_TARGET <= HWY_AVX3
-  // Masks are registers here and a masked store costs what a store costs.
-  hn::BlendedStore(hn::BitCast(hn::Rebind<T, FloatTag>{}, a.v), hn::RebindMask(hn::Rebind<T, FloatTag>{}, m.m),
-                   hn::Rebind<T, FloatTag>{}, to);
-#else
   const hn::Rebind<T, FloatTag> d;
   hn::StoreU(hn::IfThenElse(hn::RebindMask(d, m.m), hn::BitCast(d, a.v), hn::LoadU(d, to)), d, to);
-#endif
 }
+/// Asks for the cache line of an address that will be wanted soon.
+HWY_INLINE void prefetch(const char* address) { hwy::Prefetch(address); }
+
 HWY_INLINE Int gather(const std::int32_t* table, Int index) { return Int(hn::GatherIndex(IntTag{}, table, index.v)); }
 template <class F>
 HWY_INLINE F gather(const float* table, Int index) { return F(hn::GatherIndex(FloatTag{}, table, index.v)); }
 
-// Conversions. Truncation saturates on no machine alike: callers clamp first.
+// Conversions.
 HWY_INLINE Int int_of_bits(hn::Vec<FloatTag> v) { return Int(hn::BitCast(IntTag{}, v)); }
 template <Precision P>
 HWY_INLINE Int bits_of(Float<P> a) { return int_of_bits(a.v); }
 template <class F>
 HWY_INLINE F float_of_bits(Int a) { return F(hn::BitCast(FloatTag{}, a.v)); }
+/// Towards zero, for |a| < 2^31. Callers clamp first: what happens beyond differs by machine, and
+/// the library's own conversion spends four instructions on making it alike.
 template <Precision P>
-HWY_INLINE Int truncate_to_int(Float<P> a) { return Int(hn::ConvertTo(IntTag{}, a.v)); }
+HWY_INLINE Int truncate_to_int(Float<P> a) {
+#if HWY_TARGET == HWY_AVX3
+  return Int(hn::Vec<IntTag>{_mm512_cvttps_epi32(a.v.raw)});
+#elif HWY_TARGET == HWY_AVX2
+  return Int(hn::Vec<IntTag>{_mm256_cvttps_epi32(a.v.raw)});
+#elif HWY_TARGET == HWY_SSE4
+  return Int(hn::Vec<IntTag>{_mm_cvttps_epi32(a.v.raw)});
+#else
+  return Int(hn::ConvertTo(IntTag{}, a.v));
+#endif
+}
+
+/// floor(a + 1/2) of the real number a, for 0 <= a < 2^31. Not by adding 1/2, which would round
+/// the sum: just below 1/2 up to 1, and above 2^23 to the wrong whole number.
+template <Precision P>
+HWY_INLINE Int round_half_up(Float<P> a) { return truncate_to_int(a + 0x1.fffffep-2f); }
 template <class F>
 HWY_INLINE F to_float(Int a) { return F(hn::ConvertTo(FloatTag{}, a.v)); }
 
@@ -179,6 +208,15 @@ template <Precision P>
 HWY_INLINE Float<P> min(Float<P> a, float b) { return min(a, Float<P>(b)); }
 template <Precision P>
 HWY_INLINE Float<P> max(Float<P> a, float b) { return max(a, Float<P>(b)); }
+/// a where it is positive, otherwise 0; not-a-number gives 0.
+template <Precision P>
+HWY_INLINE Float<P> positive_part(Float<P> a) {
+#if HWY_ARCH_X86
+  return max(a, 0.0f);  // this machine's maximum is its second argument when the first is no number
+#else
+  return Float<P>(hn::IfThenElseZero(hn::Gt(a.v, hn::Zero(FloatTag{})), a.v));
+#endif
+}
 template <Precision P>
 HWY_INLINE Float<P> abs(Float<P> a) { return Float<P>(hn::Abs(a.v)); }
 template <Precision P>
@@ -235,14 +273,15 @@ HWY_INLINE Float<P> difference_y(Float<P> a) {
 template <Precision P>
 HWY_INLINE Float<P> first_of_quad(Float<P> a) { return Float<P>(hn::Broadcast<0>(a.v)); }
 
-/// Column and row of each lane's pixel in the group of pixels that one register covers.
+/// Column and row of each lane's pixel in the group of pixels that one register covers: see
+/// raster/block.hpp.
 HWY_INLINE Int lane_x() {
   const Int lane(hn::Iota(IntTag{}, 0));
-  return shift_left<1>(shift_right<2>(lane)) + (lane & Int(1));
+  return (lane & Int(1)) | (shift_right<1>(lane) & Int(2));
 }
 HWY_INLINE Int lane_y() {
   const Int lane(hn::Iota(IntTag{}, 0));
-  return shift_right<1>(lane) & Int(1);
+  return (shift_right<1>(lane) & Int(1)) | (shift_right<2>(lane) & Int(2));
 }
 
 }  // namespace HWY_NAMESPACE

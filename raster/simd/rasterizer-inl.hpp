@@ -16,11 +16,9 @@ HWY_BEFORE_NAMESPACE();
 namespace tuberia {
 namespace HWY_NAMESPACE {
 
-// A group is the pixels of one register: 2 rows of kGroupWidth.
-inline constexpr int kGroupWidth = kLanes / 2;
-inline constexpr int kGroupHeight = 2;
-inline constexpr int kGroupsPerBlock = kBlockPixels / kLanes;
-inline constexpr int kGroupsPerBlockRow = kBlockSize / kGroupWidth;
+// A group is the pixels of one register: 2x2, 4x2 or 4x4 of them.
+inline constexpr int kGroupWidth = kLanes >= 8 ? 4 : 2;
+inline constexpr int kGroupHeight = kLanes / kGroupWidth;
 
 /// One register of pixels with at least one that is covered.
 template <class F>
@@ -36,7 +34,6 @@ class TriangleWalk {
  public:
   /// False when the triangle owns nothing here. `clip` may cut into the tile.
   HWY_INLINE bool begin(const ScreenTriangle& triangle, const Tile& tile, const PixelRect& clip) {
-    triangle_ = &triangle;
     left_ = std::max<int>(std::max<int>(triangle.left, clip.left), tile.left) - tile.left;
     top_ = std::max<int>(std::max<int>(triangle.top, clip.top), tile.top) - tile.top;
     right_ = std::min<int>(std::min<int>(triangle.right, clip.right - 1), tile.left + kTileSize - 1) - tile.left;
@@ -44,101 +41,114 @@ class TriangleWalk {
     if (left_ > right_ || top_ > bottom_) return false;
     is_cut_ = triangle.left < clip.left || triangle.top < clip.top || triangle.right >= clip.right ||
               triangle.bottom >= clip.bottom;
-    for (int i = 0; i < 3; ++i)
-      if (!begin_edge(i, tile)) return false;
-    begin_weights(tile);
+    is_near_ = triangle.is_near != 0;
+    scale_ = F(triangle.weight_scale);
+    for (int i = 0; i < 2; ++i) offset_[i] = F(triangle.weight_offset[i]);
+    if (is_near_) begin_near(triangle, tile);
+    else if (!begin_far(triangle, tile)) return false;
+    for (int i = 0; i < 3; ++i) edge_lanes_[i] = lane_x() * Int(per_x_[i]) + lane_y() * Int(per_y_[i]);
     return true;
   }
 
-  /// Calls visit(group) for every group with a covered pixel.
+  /// Calls visit(group) for every group with a covered pixel. A small triangle's bounds are walked
+  /// as they are; a large one's block by block, since whole blocks are outside or inside.
   template <class Visit>
   HWY_INLINE void for_each_group(Visit& visit) const {
-    for (int y = top_ & ~(kBlockSize - 1); y <= bottom_; y += kBlockSize)
-      for (int x = left_ & ~(kBlockSize - 1); x <= right_; x += kBlockSize) walk_block(x, y, visit);
+    const bool is_small = right_ - left_ < kSmallPixels && bottom_ - top_ < kSmallPixels;
+    const int size = is_small ? kTileSize : kBlockSize;
+    for (int y = top_ & ~(size - 1); y <= bottom_; y += size)
+      for (int x = left_ & ~(size - 1); x <= right_; x += size) {
+        bool inside = false;
+        if (!is_small && is_outside(x, y, inside)) continue;
+        const PixelRect part{std::max(x, left_), std::max(y, top_), std::min(x + size - 1, right_),
+                             std::min(y + size - 1, bottom_)};
+        walk(part, inside, visit);
+      }
   }
 
  private:
-  // An edge's value at the tile's first pixel, in 32 bits. An edge that has the whole tile on its
-  // inner side, however far away, becomes the constant 0; on its outer side, there is nothing here.
-  HWY_INLINE bool begin_edge(int i, const Tile& tile) {
-    const double at_tile = triangle_->constant[i] + static_cast<double>(triangle_->per_x[i]) * tile.left +
-                           static_cast<double>(triangle_->per_y[i]) * tile.top;
-    per_x_[i] = triangle_->per_x[i];
-    per_y_[i] = triangle_->per_y[i];
-    if (!triangle_->is_near) {
-      constexpr double kSpan = kTileSize - 1;
-      const double smallest = at_tile + std::min(0, per_x_[i]) * kSpan + std::min(0, per_y_[i]) * kSpan;
-      const double largest = at_tile + std::max(0, per_x_[i]) * kSpan + std::max(0, per_y_[i]) * kSpan;
-      if (largest < 0) return false;
-      if (smallest >= 0) {
-        per_x_[i] = per_y_[i] = at_tile_[i] = 0;
-        set_edge_lanes(i);
-        return true;
-      }
+  // Every value of a near triangle within its tiles fits 32 bits, so arithmetic that wraps around
+  // gives it, and the low half of the constant is enough.
+  HWY_INLINE void begin_near(const ScreenTriangle& triangle, const Tile& tile) {
+    for (int i = 0; i < 3; ++i) {
+      per_x_[i] = triangle.per_x[i];
+      per_y_[i] = triangle.per_y[i];
+      const auto wrapped = static_cast<std::uint32_t>(triangle.constant_low[i]) +
+                           static_cast<std::uint32_t>(per_x_[i]) * static_cast<std::uint32_t>(tile.left) +
+                           static_cast<std::uint32_t>(per_y_[i]) * static_cast<std::uint32_t>(tile.top);
+      at_tile_[i] = static_cast<std::int32_t>(wrapped);
     }
-    at_tile_[i] = static_cast<std::int32_t>(at_tile);
-    set_edge_lanes(i);
-    return true;
   }
 
-  HWY_INLINE void set_edge_lanes(int i) {
-    edge_lanes_[i] = lane_x() * Int(per_x_[i]) + lane_y() * Int(per_y_[i]);
-    largest_in_block_[i] = (kBlockSize - 1) * (std::max(0, per_x_[i]) + std::max(0, per_y_[i]));
-    smallest_in_block_[i] = (kBlockSize - 1) * (std::min(0, per_x_[i]) + std::min(0, per_y_[i]));
-  }
+  // An edge of a far triangle that has the whole tile on its inner side, however far away, becomes
+  // the constant 0; with the whole tile on its outer side, there is nothing here; an edge that
+  // crosses the tile fits 32 bits.
+  HWY_NOINLINE bool begin_far(const ScreenTriangle& triangle, const Tile& tile) {
+    constexpr double kSpan = kTileSize - 1;
+    for (int i = 0; i < 3; ++i) {
+      const double per_x = triangle.per_x[i], per_y = triangle.per_y[i];
+      const double at_tile = triangle.constant[i] + per_x * tile.left + per_y * tile.top;
+      const double smallest = at_tile + std::min(0.0, per_x) * kSpan + std::min(0.0, per_y) * kSpan;
+      const double largest = at_tile + std::max(0.0, per_x) * kSpan + std::max(0.0, per_y) * kSpan;
+      if (largest < 0) return false;
+      const bool inside = smallest >= 0;
+      per_x_[i] = inside ? 0 : triangle.per_x[i];
+      per_y_[i] = inside ? 0 : triangle.per_y[i];
+      at_tile_[i] = inside ? 0 : static_cast<std::int32_t>(at_tile);
+    }
 
-  HWY_INLINE void begin_weights(const Tile& tile) {
-    scale_ = F(triangle_->weight_scale);
-    for (int i = 0; i < 2; ++i) offset_[i] = F(triangle_->weight_offset[i]);
-    if (triangle_->is_near) return;
-
-    // A plane anchored at the corner of the pixel grid's square: in double, rounded once.
+    // Weights are planes anchored at the corner of the pixel grid's square: in double, rounded once.
     const int corner_x = tile.left & ~(kAnchorSquarePixels - 1), corner_y = tile.top & ~(kAnchorSquarePixels - 1);
     tile_in_square_x_ = tile.left - corner_x;
     tile_in_square_y_ = tile.top - corner_y;
-    const double scale = triangle_->weight_scale;
+    const double scale = triangle.weight_scale;
     for (int i = 0; i < 2; ++i) {
-      const double per_x = triangle_->per_x[i + 1], per_y = triangle_->per_y[i + 1];
-      const double at_corner = triangle_->constant[i + 1] + per_x * corner_x + per_y * corner_y;
-      anchor_[i] = static_cast<float>(at_corner * scale + triangle_->weight_offset[i]);
+      const double per_x = triangle.per_x[i + 1], per_y = triangle.per_y[i + 1];
+      const double at_corner = triangle.constant[i + 1] + per_x * corner_x + per_y * corner_y;
+      anchor_[i] = static_cast<float>(at_corner * scale + triangle.weight_offset[i]);
       gradient_x_[i] = static_cast<float>(per_x * scale);
       gradient_y_[i] = static_cast<float>(per_y * scale);
     }
+    return true;
   }
 
-  template <class Visit>
-  HWY_INLINE void walk_block(int x, int y, Visit& visit) const {
-    // Whole-block decisions first: outside one edge, or inside all three.
-    std::int32_t at_block[3];
-    bool inside = true;
+  /// Whether the block at (x, y) lies outside an edge, and if not, whether it lies inside all.
+  HWY_INLINE bool is_outside(int x, int y, bool& inside) const {
+    constexpr int kSpan = kBlockSize - 1;
+    inside = true;
     for (int i = 0; i < 3; ++i) {
-      at_block[i] = at_tile_[i] + per_x_[i] * x + per_y_[i] * y;
-      if (at_block[i] + largest_in_block_[i] < 0) return;
-      inside &= at_block[i] + smallest_in_block_[i] >= 0;
+      const std::int32_t at_block = at_tile_[i] + per_x_[i] * x + per_y_[i] * y;
+      if (at_block + kSpan * (std::max(0, per_x_[i]) + std::max(0, per_y_[i])) < 0) return true;
+      inside &= at_block + kSpan * (std::min(0, per_x_[i]) + std::min(0, per_y_[i])) >= 0;
     }
+    return false;
+  }
 
-    const int block_index = ((y / kBlockSize) * kBlocksPerTileRow + x / kBlockSize) * kBlockPixels;
-    Int row[3];
-    const int first_y = std::max(top_ - y, 0) & ~1, last_y = std::min(bottom_ - y, kBlockSize - 1);
-    const int first_x = std::max(left_ - x, 0) & ~(kGroupWidth - 1), last_x = std::min(right_ - x, kBlockSize - 1);
-    for (int i = 0; i < 3; ++i)
-      row[i] = Int(at_block[i] + per_x_[i] * first_x + per_y_[i] * first_y) + edge_lanes_[i];
-    for (int group_y = first_y; group_y <= last_y; group_y += kGroupHeight) {
+  /// The groups of a part of the tile (right and bottom inclusive here).
+  template <class Visit>
+  HWY_INLINE void walk(const PixelRect& part, bool inside, Visit& visit) const {
+    const int first_x = part.left & ~(kGroupWidth - 1), first_y = part.top & ~(kGroupHeight - 1);
+    Int row[3], step_x[3], step_y[3];
+    for (int i = 0; i < 3; ++i) {
+      row[i] = Int(at_tile_[i] + per_x_[i] * first_x + per_y_[i] * first_y) + edge_lanes_[i];
+      step_x[i] = Int(per_x_[i] * kGroupWidth);
+      step_y[i] = Int(per_y_[i] * kGroupHeight);
+    }
+    for (int y = first_y; y <= part.bottom; y += kGroupHeight) {
       Int edge[3] = {row[0], row[1], row[2]};
-      for (int group_x = first_x; group_x <= last_x; group_x += kGroupWidth) {
+      for (int x = first_x; x <= part.right; x += kGroupWidth) {
         Mask covered = inside ? all_lanes() : !is_negative(edge[0] | edge[1] | edge[2]);
-        if (is_cut_) covered = covered & inside_clip(x + group_x, y + group_y);
+        if (is_cut_) covered = covered & inside_clip(x, y);
         if (any(covered)) {
           FragmentGroup<F> group;
-          group.index = block_index + ((group_y / 2) * kGroupsPerBlockRow + group_x / kGroupWidth) * kLanes;
+          group.index = index_in_tile(x, y);
           group.covered = covered;
-          set_weights(group, edge, x + group_x, y + group_y);
+          set_weights(group, edge, x, y);
           visit(group);
         }
-        if constexpr (kGroupsPerBlockRow > 1)
-          for (int i = 0; i < 3; ++i) edge[i] = edge[i] + Int(per_x_[i] * kGroupWidth);
+        for (int i = 0; i < 3; ++i) edge[i] = edge[i] + step_x[i];
       }
-      for (int i = 0; i < 3; ++i) row[i] = row[i] + Int(per_y_[i] * kGroupHeight);
+      for (int i = 0; i < 3; ++i) row[i] = row[i] + step_y[i];
     }
   }
 
@@ -148,7 +158,7 @@ class TriangleWalk {
   }
 
   HWY_INLINE void set_weights(FragmentGroup<F>& group, const Int* edge, int x, int y) const {
-    if (triangle_->is_near) {
+    if (is_near_) {
       for (int i = 0; i < 2; ++i) group.weight[i] = mul_add(to_float<F>(edge[i + 1]), scale_, offset_[i]);
       return;
     }
@@ -158,11 +168,12 @@ class TriangleWalk {
       group.weight[i] = mul_add(dy, F(gradient_y_[i]), mul_add(dx, F(gradient_x_[i]), F(anchor_[i])));
   }
 
-  const ScreenTriangle* triangle_;
+  // Triangles up to this size rarely hold a whole block, so asking costs more than it saves.
+  static constexpr int kSmallPixels = 16;
+
   int left_, top_, right_, bottom_;  // pixels of the tile, inclusive
-  bool is_cut_;
+  bool is_cut_, is_near_;
   std::int32_t per_x_[3], per_y_[3], at_tile_[3];
-  std::int32_t largest_in_block_[3], smallest_in_block_[3];
   Int edge_lanes_[3];
   F scale_, offset_[2];
   int tile_in_square_x_ = 0, tile_in_square_y_ = 0;

@@ -17,7 +17,7 @@ namespace tuberia {
 namespace HWY_NAMESPACE {
 
 /// Into the texture's own [0, 1], before scaling, so that no float can address outside: numbers
-/// that are not finite give 0. For `border`, into [-1, 2].                          [rules T2]
+/// that are not finite land somewhere in it. For `border`, into [-1, 2].                          [rules T2]
 template <class F>
 HWY_INLINE F reduce_coordinate(F u, Wrap wrap) {
   switch (wrap) {

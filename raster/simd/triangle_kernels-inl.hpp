@@ -149,6 +149,7 @@ HWY_INLINE ScreenTriangle assembled(const SetupLanes& s, int lane, const Triangl
     out.per_x[k] = s.per_x[k][lane];
     out.per_y[k] = s.per_y[k][lane];
     out.constant[k] = s.constant[k][lane];
+    out.constant_low[k] = static_cast<std::int32_t>(static_cast<std::int64_t>(s.constant[k][lane]));
     out.inverse_w[k] = s.inverse_w[k][lane];
   }
   out.weight_scale = s.weight_scale[lane];

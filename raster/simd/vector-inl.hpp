@@ -116,7 +116,7 @@ HWY_INLINE Vec4<F> mix(Vec4<F> a, Vec4<F> b, F t) {
 }
 /// Into [0, 1]; not-a-number gives 0.
 template <class F>
-HWY_INLINE F saturate(F a) { return min(select(a > 0.0f, a, F(0.0f)), F(1.0f)); }
+HWY_INLINE F saturate(F a) { return min(positive_part(a), F(1.0f)); }
 template <class F>
 HWY_INLINE F clamp(F a, F low, F high) { return min(max(a, low), high); }
 template <class F>
