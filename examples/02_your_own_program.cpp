@@ -42,7 +42,7 @@ TUBERIA_DEFINE_PROGRAM(ripples, Ripples)
 
 int main() {
   using namespace tuberia;
-  const std::vector<glm::vec3> corners{{-3, 0, -8}, {3, 0, -8}, {3, 0, 2}, {-3, 0, 2}};
+  const std::vector<glm::vec3> corners{{-3, 0, -8}, {3, 0, -8}, {3, 0, 4}, {-3, 0, 4}};
   const std::vector<glm::vec2> texcoords{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   DrawCall draw{.mesh = {.positions = corners, .normals = {}, .texcoords = texcoords, .colours = {}, .custom = {}, .indices = {}},
                 .program = {ripples_interface(), RipplesUniforms{}}, .state = {}};

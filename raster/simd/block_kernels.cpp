@@ -1,5 +1,7 @@
 #include "raster/fragment_block.hpp"
 
+#include <algorithm>
+
 #undef TUBERIA_KERNEL_FILE
 #define TUBERIA_KERNEL_FILE "raster/simd/block_kernels.cpp"
 #include "raster/simd/every_instruction_set.hpp"
@@ -12,27 +14,32 @@ HWY_BEFORE_NAMESPACE();
 namespace tuberia {
 namespace HWY_NAMESPACE {
 
-/// Writes each group of fragments to the block that it belongs to.
+/// Writes each group of fragments to the block that it belongs to. Small triangles are walked across
+/// the borders of blocks, so a block may be met again; there are never many to look through.
 template <class F>
 struct BlockWriter {
   const ScreenTriangle& triangle;
   const Tile& tile;
   std::vector<FragmentBlock>& out;
+  const std::size_t first_block;  // of this triangle in this tile
 
   HWY_INLINE void operator()(const FragmentGroup<F>& group) {
     const int block = group.index / kBlockPixels, first = group.index % kBlockPixels;
-    const int left = tile.left + block % kBlocksPerTileRow * kBlockSize;
-    const int top = tile.top + block / kBlocksPerTileRow * kBlockSize;
-    if (out.empty() || out.back().triangle != &triangle || out.back().left != left || out.back().top != top) {
-      out.emplace_back();
-      out.back().left = left;
-      out.back().top = top;
-      out.back().triangle = &triangle;
-    }
-    FragmentBlock& to = out.back();
+    FragmentBlock& to = block_at(tile.left + block % kBlocksPerTileRow * kBlockSize,
+                                 tile.top + block / kBlocksPerTileRow * kBlockSize);
     to.live |= static_cast<std::uint64_t>(bits_of(group.covered)) << first;
     store(group.weight[0], to.weight[0] + first);
     store(group.weight[1], to.weight[1] + first);
+  }
+
+  FragmentBlock& block_at(int left, int top) {
+    for (std::size_t i = out.size(); i > first_block; --i)
+      if (out[i - 1].left == left && out[i - 1].top == top) return out[i - 1];
+    FragmentBlock& added = out.emplace_back();
+    added.left = left;
+    added.top = top;
+    added.triangle = &triangle;
+    return added;
   }
 };
 
@@ -40,8 +47,12 @@ template <Precision P>
 void rasterize(const ScreenTriangle& triangle, const Tile& tile, const PixelRect& clip, std::vector<FragmentBlock>& out) {
   TriangleWalk<Float<P>> walk;
   if (!walk.begin(triangle, tile, clip)) return;
-  BlockWriter<Float<P>> writer{triangle, tile, out};
+  const std::size_t first_block = out.size();
+  BlockWriter<Float<P>> writer{triangle, tile, out, first_block};
   walk.for_each_group(writer);
+  std::sort(out.begin() + static_cast<std::ptrdiff_t>(first_block), out.end(), [](const FragmentBlock& a, const FragmentBlock& b) {
+    return a.top != b.top ? a.top < b.top : a.left < b.left;
+  });
 }
 
 HWY_INLINE Mask live_lanes(const FragmentBlock& block, int first) {

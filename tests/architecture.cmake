@@ -1,0 +1,83 @@
+# Fails when an #include breaks the house rules of the design: dependencies point one way, and each
+# of Highway, oneTBB and stb is named only where it is wrapped.
+#   cmake -D ROOT=<folder of the project> -P tests/architecture.cmake
+
+cmake_minimum_required(VERSION 3.25)
+
+# What each folder may include, besides libraries.
+set(base_may_include base)
+set(math_may_include base math)
+set(image_may_include base image)
+set(raster_may_include base math image raster)
+set(pipeline_may_include base math image raster pipeline)
+set(scene_may_include base math image raster pipeline scene)
+# A witness that runs the accused's code proves nothing: no raster, no pipeline.
+set(reference_may_include base math image scene reference)
+set(libraries base math image raster pipeline scene reference)
+set(examples_may_include ${libraries} examples)
+set(bench_may_include ${libraries} bench)
+set(tests_may_include ${libraries} examples bench tests)
+set(folders ${libraries} examples bench tests)
+
+# Whether `file` may name the library that `include` belongs to; sets `refusal` if not.
+function(check_library file include)
+  set(refusal "" PARENT_SCOPE)
+  if(include MATCHES "^hwy/")
+    if(NOT file MATCHES "^(raster/simd/|pipeline/programs/|pipeline/.*-inl\\.hpp$)")
+      set(refusal "Highway stays in raster/simd, pipeline/programs and pipeline's *-inl.hpp" PARENT_SCOPE)
+    endif()
+  elseif(include MATCHES "^(tbb|oneapi)/")
+    if(NOT file STREQUAL "base/parallel_for.cpp")
+      set(refusal "oneTBB stays in base/parallel_for.cpp" PARENT_SCOPE)
+    endif()
+  elseif(include MATCHES "^(stb_|stb/)")
+    if(NOT file MATCHES "^image/")
+      set(refusal "stb stays in image" PARENT_SCOPE)
+    endif()
+  endif()
+endfunction()
+
+# Whether `file` in `folder` may have this quoted include; sets `refusal` if not.
+function(check_folder folder include)
+  set(refusal "" PARENT_SCOPE)
+  string(REGEX REPLACE "/.*" "" target "${include}")
+  if(NOT include MATCHES "/" OR NOT target IN_LIST folders)
+    set(refusal "write the full path from the project's root" PARENT_SCOPE)
+  elseif(NOT target IN_LIST ${folder}_may_include)
+    list(JOIN ${folder}_may_include ", " allowed)
+    set(refusal "${folder} may include ${allowed}" PARENT_SCOPE)
+  endif()
+endfunction()
+
+set(violations 0)
+set(files_seen 0)
+foreach(folder IN LISTS folders)
+  file(GLOB_RECURSE files RELATIVE ${ROOT}
+       ${ROOT}/${folder}/*.hpp ${ROOT}/${folder}/*.cpp ${ROOT}/${folder}/*.h ${ROOT}/${folder}/*.inc)
+  foreach(file IN LISTS files)
+    math(EXPR files_seen "${files_seen} + 1")
+    file(STRINGS ${ROOT}/${file} lines REGEX "^[ \t]*#[ \t]*include[ \t]*[<\"]")
+    foreach(line IN LISTS lines)
+      string(REGEX REPLACE "^[^<\"]*([<\"])([^>\"]*).*" "\\1;\\2" parts "${line}")
+      list(GET parts 0 quote)
+      list(GET parts 1 include)
+      check_library("${file}" "${include}")
+      # Quoted library names are judged as libraries, not as folders of ours.
+      if(NOT refusal AND quote STREQUAL "\"" AND NOT include MATCHES "^(hwy|tbb|oneapi|stb)/|^stb_")
+        check_folder(${folder} "${include}")
+      endif()
+      if(refusal)
+        message("${file}: ${include}: ${refusal}")
+        math(EXPR violations "${violations} + 1")
+      endif()
+    endforeach()
+  endforeach()
+endforeach()
+
+if(files_seen EQUAL 0)
+  message(FATAL_ERROR "no sources under ${ROOT}")
+endif()
+if(violations GREATER 0)
+  message(FATAL_ERROR "${violations} includes break the house rules")
+endif()
+message("${files_seen} files keep the house rules")

@@ -1,0 +1,132 @@
+// The command-line renderer as a person meets it: what it says, what it leaves behind, and with
+// which exit status.
+
+#include <sys/wait.h>
+
+#include <catch2/catch.hpp>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include "image/read_image.hpp"
+#include "tests/image/temporary_folder.hpp"
+
+namespace tuberia {
+namespace {
+
+struct Outcome {
+  int status;
+  std::string output;  // both streams
+};
+
+std::string content(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+Outcome run(const std::string& arguments, const TemporaryFolder& folder, const char* program = TUBERIA_PROGRAM) {
+  const std::filesystem::path log = folder / "output.txt";
+  const std::string command = "cd '" + log.parent_path().string() + "' && '" + program + "' " + arguments + " > output.txt 2>&1";
+  const int status = std::system(command.c_str());
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(log)};
+}
+
+void write_triangle(const std::filesystem::path& path) {
+  std::ofstream(path) << "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3\n";
+}
+
+}  // namespace
+
+TEST_CASE("tuberia: refuses bad input in one line and leaves no file", "[examples]") {
+  const TemporaryFolder folder;
+  write_triangle(folder / "triangle.obj");
+  struct Refused {
+    const char *arguments, *culprit;
+  };
+  for (const Refused& each : {Refused{"render missing.obj -o out.png", "missing.obj"},
+                              {"render . -o out.png", "'.'"},
+                              {"render triangle.obj -o out.xyz", "out.xyz"},
+                              {"render triangle.obj -o none/out.png", "none"},
+                              {"render triangle.obj -o out.png --size 0x5", "0x5"},
+                              {"render triangle.obj -o out.png --size 65536x10", "65536x10"},
+                              {"render triangle.obj -o out.png --size large", "large"},
+                              {"render triangle.obj -o out.png --program sparkle", "sparkle"},
+                              {"render triangle.obj -o out.png --threads -1", "-1"},
+                              {"render triangle.obj -o out.png --eye 0 0 0 --look-at 0 0 0", "camera"},
+                              {"render triangle.obj -o out.png --colour", "--colour"},
+                              {"render triangle.obj", "--output"},
+                              {"paint triangle.obj", "paint"},
+                              {"info missing.obj", "missing.obj"},
+                              {"compare missing.png other.png", "missing.png"}}) {
+    const Outcome outcome = run(each.arguments, folder);
+    INFO(each.arguments << " says: " << outcome.output);
+    CHECK(outcome.status != 0);
+    CHECK(outcome.status != -1);
+    CHECK(outcome.output.find(each.culprit) != std::string::npos);
+    CHECK(!std::filesystem::exists(folder / "out.png"));
+    CHECK(!std::filesystem::exists(folder / "out.xyz"));
+  }
+}
+
+TEST_CASE("tuberia: renders a file whose name has spaces and compares pictures", "[examples]") {
+  const TemporaryFolder folder;
+  write_triangle(folder / "one triangle.obj");
+  REQUIRE(run("render 'one triangle.obj' -o 'a picture.png' --size 64x48 --depth depth.pfm --stats", folder).status == 0);
+  REQUIRE(run("render 'one triangle.obj' -o b.png --size 64x48 --threads 7", folder).status == 0);
+  REQUIRE(run("render 'one triangle.obj' -o c.png --size 64x48 --azimuth 70", folder).status == 0);
+  CHECK(read_image(folder / "a picture.png")->width() == 64);
+  CHECK(std::filesystem::exists(folder / "depth.pfm"));
+
+  const Outcome same = run("compare 'a picture.png' b.png", folder);
+  CHECK(same.status == 0);
+  CHECK(same.output.find("equal") == 0);
+  const Outcome other = run("compare b.png c.png --diff difference.png", folder);
+  CHECK(other.status == 1);
+  CHECK(other.output.find("different") == 0);
+  CHECK(std::filesystem::exists(folder / "difference.png"));
+}
+
+TEST_CASE("tuberia: the bunny has the same bits for all threads and instruction sets", "[examples][exact]") {
+  const std::string bunny = "/usr/share/glmark2/models/bunny.obj";
+  if (!std::filesystem::exists(bunny)) return;
+  const TemporaryFolder folder;
+  std::string first;
+  for (const char* threads : {"1", "2", "7"})
+    for (const char* isa : {"sse4", "neon", "avx2", "avx3"}) {
+      const Outcome outcome = run("render " + bunny + " -o out.png --size 960x540 --frames 1 --threads " + threads + " --isa " + isa, folder);
+      if (outcome.output.find("this machine does not run") != std::string::npos) continue;
+      INFO(threads << " threads, " << isa << ": " << outcome.output);
+      REQUIRE(outcome.status == 0);
+      const std::string picture = content(folder / "out.png");
+      if (first.empty()) first = picture;
+      CHECK(picture == first);
+    }
+  CHECK(!first.empty());
+}
+
+TEST_CASE("lessons: run and leave their pictures", "[examples]") {
+  const TemporaryFolder folder;
+  const Outcome stages = run("", folder, LESSON_1_PROGRAM);
+  CHECK(stages.status == 0);
+  CHECK(stages.output.find("9 Blending") != std::string::npos);
+  CHECK(read_image(folder / "out/one_triangle.png").ok());
+
+  // Rings of the two colours: both must occur, and the sky above the plane is untouched.
+  CHECK(run("", folder, LESSON_2_PROGRAM).status == 0);
+  const auto ripples = read_image(folder / "out/ripples.png");
+  REQUIRE(ripples.ok());
+  int dark = 0, light = 0;
+  for (const Rgba8& pixel : ripples->pixels()) {
+    dark += pixel.a == 255 && pixel.r < 60 && pixel.b > 90;
+    light += pixel.a == 255 && pixel.r > 230;
+  }
+  CHECK(dark > 10000);
+  CHECK(light > 10000);
+  CHECK(ripples->at(320, 5).a == 0);
+}
+
+}  // namespace tuberia

@@ -1,0 +1,73 @@
+#include "tests/raster/simd_kernels.hpp"
+
+#undef TUBERIA_KERNEL_FILE
+#define TUBERIA_KERNEL_FILE "tests/raster/simd_kernels.cpp"
+#include "raster/simd/every_instruction_set.hpp"
+
+#include "raster/simd/elementary-inl.hpp"
+#include "raster/simd/texture-inl.hpp"
+#include "raster/simd/vector-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace tuberia {
+namespace HWY_NAMESPACE {
+
+template <Precision P>
+struct ArrayKernels {
+  using F = Float<P>;
+
+  static void log2_of(const float* a, int count, float* out) {
+    for (int i = 0; i < count; i += kLanes) store(log2(load<F>(a + i)), out + i);
+  }
+  static void exp2_of(const float* a, int count, float* out) {
+    for (int i = 0; i < count; i += kLanes) store(exp2(load<F>(a + i)), out + i);
+  }
+  static void pow_of(const float* base, const float* exponent, int count, float* out) {
+    for (int i = 0; i < count; i += kLanes) store(pow(load<F>(base + i), load<F>(exponent + i)), out + i);
+  }
+  static void reciprocal_of(const float* a, int count, float* out) {
+    for (int i = 0; i < count; i += kLanes) store(reciprocal(load<F>(a + i)), out + i);
+  }
+  static void inverse_sqrt_of(const float* a, int count, float* out) {
+    for (int i = 0; i < count; i += kLanes) store(inverse_sqrt(load<F>(a + i)), out + i);
+  }
+  static void normalize_of(const float* x, const float* y, const float* z, int count, float* out_x, float* out_y, float* out_z) {
+    for (int i = 0; i < count; i += kLanes) {
+      const Vec3<F> unit = normalize(Vec3<F>(load<F>(x + i), load<F>(y + i), load<F>(z + i)));
+      store(unit.x, out_x + i);
+      store(unit.y, out_y + i);
+      store(unit.z, out_z + i);
+    }
+  }
+  static void sample_of(const Texture& texture, const Sampler& sampler, const float* u, const float* v, int count, Rgba32F* out) {
+    float colours[4][kLanes];
+    for (int i = 0; i < count; i += kLanes) {
+      const Vec4<F> colour = sample(texture, sampler, Vec2<F>{load<F>(u + i), load<F>(v + i)}, all_lanes());
+      store(colour.x, colours[0]);
+      store(colour.y, colours[1]);
+      store(colour.z, colours[2]);
+      store(colour.w, colours[3]);
+      for (int lane = 0; lane < kLanes; ++lane) out[i + lane] = {colours[0][lane], colours[1][lane], colours[2][lane], colours[3][lane]};
+    }
+  }
+
+  static constexpr test::SimdKernels kTable{&log2_of, &exp2_of, &pow_of, &reciprocal_of, &inverse_sqrt_of, &normalize_of, &sample_of};
+};
+
+inline const test::SimdKernels& test_kernels(Precision precision) {
+  return precision == Precision::exact ? ArrayKernels<Precision::exact>::kTable : ArrayKernels<Precision::fast>::kTable;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace tuberia
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace tuberia::test {
+
+const SimdKernels& simd_kernels(InstructionSet instruction_set, Precision precision) {
+  TUBERIA_RETURN_FOR(instruction_set, test_kernels(precision))
+}
+
+}  // namespace tuberia::test
+#endif
