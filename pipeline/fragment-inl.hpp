@@ -120,6 +120,9 @@ struct ProgramBase {
   static constexpr Attributes interpolated = Attributes::none;
   static constexpr Attributes flat = Attributes::none;
   static constexpr bool may_discard = false;
+  /// Why a draw with these uniforms must be refused; null when it need not.
+  template <class Uniforms>
+  static const char* refusal(const Uniforms&) { return nullptr; }
 };
 
 }  // namespace HWY_NAMESPACE

@@ -46,6 +46,10 @@
         .flat = HWY_NAMESPACE::PROGRAM::flat,                                              \
         .kernels = [](InstructionSet set, Precision precision) -> const ProgramKernels& {  \
           TUBERIA_RETURN_FOR(set, NAME##_kernels(precision))                               \
+        },                                                                                 \
+        .refusal = [](const void* uniforms) -> const char* {                               \
+          using Program = HWY_NAMESPACE::PROGRAM;                                          \
+          return Program::refusal(*static_cast<const Program::Uniforms*>(uniforms));       \
         }};                                                                                \
     return kInterface;                                                                     \
   }                                                                                        \

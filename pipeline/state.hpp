@@ -40,7 +40,7 @@ struct Lighting {
   bool two_sided = false;            // light the side that faces the eye
   glm::vec3 eye{0, 0, 1};            // world space
   std::array<Light, kMaxLights> lights{};
-  int light_count = 1;               // 0..kMaxLights; more are ignored
+  int light_count = 1;               // 0..kMaxLights
   bool operator==(const Lighting&) const = default;
 };
 

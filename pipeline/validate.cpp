@@ -50,6 +50,8 @@ Refusal check_mesh(const MeshView& mesh, Workers& workers) {
 Refusal check_program(const DrawCall& draw) {
   if (!draw.program.is_set()) return Error{"the draw has no fragment program"};
   const ProgramInterface& program = draw.program.interface();
+  if (const char* refusal = program.refusal(draw.program.uniforms()))
+    return Error{"program '" + std::string(program.name) + "': " + refusal};
   const auto& lighting = draw.state.transform.vertex_lighting;
   const auto needs = [&](Attributes one, bool missing, const char* what) -> Refusal {
     if (!contains(program.attributes(), one) || !missing) return {};

@@ -1,5 +1,6 @@
 // tuberia: models to pictures on the command line.
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <string>
@@ -29,6 +30,11 @@ int run(int argc, char** argv) {
     Run body = add(app, command);
     commands.emplace_back(command, std::move(body));
   }
+  // The parser would only say that a command is required.
+  const std::string first = argc > 1 ? argv[1] : "";
+  const auto is_named = [&](const auto& command) { return command.first->get_name() == first; };
+  if (!first.empty() && first[0] != '-' && std::none_of(commands.begin(), commands.end(), is_named))
+    return fail("there is no command '" + first + "'; see tuberia --help");
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {

@@ -7,8 +7,6 @@
 #define TUBERIA_PIPELINE_PROGRAMS_LIGHTING_INL
 #endif
 
-#include <algorithm>
-
 #include "pipeline/state.hpp"
 #include "raster/simd/elementary-inl.hpp"
 #include "raster/simd/vector-inl.hpp"
@@ -25,6 +23,12 @@ HWY_INLINE F highlight(const Lighting& lighting, Vec3<F> n, Vec3<F> l, Vec3<F> v
   return pow(max(cosine, 0.0f), F(lighting.shininess));
 }
 
+/// Why this lighting cannot be computed; null when it can.
+inline const char* refusal_of(const Lighting& lighting) {
+  const bool possible = lighting.light_count >= 0 && lighting.light_count <= Lighting::kMaxLights;
+  return possible ? nullptr : "its number of lights is out of range";
+}
+
 /// Reflected light at a point. n, v: unit, away from the surface. diffuse: kd there.
 /// Both terms of a light vanish where it is below the surface.                [B 2-4, 2-7]
 template <class F>
@@ -35,7 +39,7 @@ HWY_INLINE Vec3<F> illuminate(const Lighting& lighting, Vec3<F> point, Vec3<F> n
   }
   const bool shines = lighting.specular != glm::vec3(0);
   Vec3<F> sum(lighting.ambient);
-  for (int i = 0; i < std::min(lighting.light_count, Lighting::kMaxLights); ++i) {
+  for (int i = 0; i < lighting.light_count; ++i) {
     const Light& light = lighting.lights[static_cast<std::size_t>(i)];
     const Vec3<F> towards(light.towards);
     const Vec3<F> l = light.kind == Light::Kind::directional ? towards : normalize(towards - point);

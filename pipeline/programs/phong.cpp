@@ -10,6 +10,7 @@ TUBERIA_PROGRAM_BEGIN
 struct Phong : ProgramBase {
   using Uniforms = Lighting;
   static constexpr Attributes interpolated = Attributes::position | Attributes::normal;
+  static const char* refusal(const Lighting& lighting) { return refusal_of(lighting); }
 
   template <class Fragment>
   static HWY_INLINE auto shade(Fragment& in, const Lighting& lighting) {

@@ -12,6 +12,9 @@ struct TexturedLitProgram : ProgramBase {
   using Uniforms = TexturedLitUniforms;
   static constexpr Attributes interpolated = Attributes::position | Attributes::normal | Attributes::texcoord;
   static constexpr bool may_discard = kCutOut;
+  static const char* refusal(const Uniforms& uniforms) {
+    return uniforms.texture ? refusal_of(uniforms.lighting) : "it has no texture";
+  }
 
   template <class Fragment>
   static HWY_INLINE auto shade(Fragment& in, const Uniforms& uniforms) {

@@ -181,6 +181,27 @@ TEST_CASE("clipping: both triangles of an edge get the same vertices on it", "[p
   }
 }
 
+TEST_CASE("clipping: each plane's bit cuts by that plane alone", "[pipeline]") {
+  // One vertex outside of one plane: the cuts lie on it, halfway.
+  struct Plane {
+    std::uint32_t bit;
+    std::size_t axis;
+    double side;
+  };
+  for (const Plane& plane : {Plane{outcode::left, 0, -1}, {outcode::right, 0, 1}, {outcode::bottom, 1, -1},
+                             {outcode::top, 1, 1}, {outcode::near, 2, -1}, {outcode::far, 2, 1}}) {
+    INFO("outcode bit " << plane.bit);
+    ClipCorners triangle{{{0, 0, 0, 1}, {0, 0, 0, 1}, {0, 0, 0, 1}}};
+    triangle[1][(plane.axis + 1) % 3] = 0.5;
+    triangle[2][plane.axis] = 2 * plane.side;
+    const ClippedPolygon polygon = clip_triangle(triangle, plane.bit, kTightGl);
+    REQUIRE(polygon.count == 4);
+    for (const std::size_t i : {2u, 3u}) CHECK(polygon.corner[i].position[plane.axis] == plane.side);
+    // Without its bit it is left alone.
+    CHECK(clip_triangle(triangle, kAllPlanes & ~plane.bit, kTightGl).count == 3);
+  }
+}
+
 TEST_CASE("clipping: a vertex very far away does not move the cut near the other one", "[pipeline]") {
   // Between w = 1e20 and w = 1 the near plane passes close by the second vertex.
   const double z = static_cast<double>(-1.1f);

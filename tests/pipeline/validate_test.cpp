@@ -91,6 +91,17 @@ TEST_CASE("validate: lighting needs normals and a sensible number of lights", "[
   CHECK_THAT(refusal(mesh, gouraud(), state), Contains("needs normals"));
 }
 
+TEST_CASE("validate: a program with uniforms it cannot draw with is refused", "[pipeline]") {
+  for (const int count : {-1, 5}) {
+    CHECK_THAT(refusal(complete_mesh(), phong({.light_count = count})), Contains("phong") && Contains("number of lights"));
+    TexturedLitUniforms uniforms{.texture = test::texture_of(Image<Rgba8>(1, 1)), .sampler = {}, .lighting = {.light_count = count}};
+    CHECK_THAT(refusal(complete_mesh(), textured_lit(uniforms)), Contains("textured_lit") && Contains("number of lights"));
+  }
+  CHECK_THAT(refusal(complete_mesh(), textured({})), Contains("textured") && Contains("no texture"));
+  CHECK_THAT(refusal(complete_mesh(), textured_lit({})), Contains("no texture"));
+  CHECK_THAT(refusal(complete_mesh(), textured_gouraud({})), Contains("no texture"));
+}
+
 TEST_CASE("validate: a viewport out of range is named", "[pipeline]") {
   constexpr int kMost = RenderTarget::kMaxSize, kLeast = std::numeric_limits<int>::min();
   const auto with = [](Viewport viewport) {
