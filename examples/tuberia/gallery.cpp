@@ -26,7 +26,7 @@ std::vector<GalleryEntry> gallery_entries() {
       {"asteroid", glmark + "asteroid-high.3ds", glmark_package, "An asteroid of small triangles.", Shading::automatic, 30, 15, 1},
       {"duck", assimp + "Collada/duck.dae", assimp_package, "A textured and lit duck from a Collada file.", Shading::textured_lit, 35, 18, 1},
       {"spider", assimp + "OBJ/spider.obj", assimp_package, "A spider: five textures, found beside the OBJ file.", Shading::textured_lit, 35, 30, 1.4},
-      {"box", assimp + "glTF2/BoxTextured-glTF-Binary/BoxTextured.glb", assimp_package, "A box from a binary glTF file, its texture inside.", Shading::automatic, 40, 25, 1.1},
+      {"box", assimp + "glTF2/BoxTextured-glTF-Binary/BoxTextured.glb", assimp_package, "A box from a binary glTF file, its texture inside.", Shading::automatic, 40, 25, 0.9},
       {"engine", assimp + "glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb", assimp_package, "An engine of many parts, each placed by its node.", Shading::automatic, 35, 25, 1.2},
       {"wuson", assimp + "OBJ/WusonOBJ.obj", assimp_package, "An ox from an OBJ file.", Shading::automatic, 215, 12, 1.3},
       {"teapots", assimp + "Collada/teapots.DAE", assimp_package, "Three teapots; the world is mapped on one.", Shading::automatic, 20, 30, 1.2},
