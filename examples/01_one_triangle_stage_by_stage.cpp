@@ -121,7 +121,7 @@ int main() {
 
   const DepthTest depth_test(accepted.output, isa, Precision::exact);
   for (FragmentBlock& block : blocks) depth_test(block, target);
-  std::printf("\n8 DepthTest: %d fragments pass; the first one's code is %d of 16777215\n", live_fragments(blocks), blocks[0].depth[first]);
+  std::printf("\n8 DepthTest: %d fragments pass; the first one's code is %d of 16777215\n", live_fragments(blocks), blocks[0].depth[0][first]);
 
   const Blending blending(accepted.output, isa, Precision::exact);
   for (const FragmentBlock& block : blocks) blending(block, target);

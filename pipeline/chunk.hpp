@@ -23,10 +23,15 @@ struct Chunk {
   VertexBatch vertices;
   TriangleBatch triangles;
   std::vector<ScreenTriangle> screen_triangles;
+  std::vector<ScreenShape> shapes;  // empty when all are triangles
   TileLists tiles;
   DrawStatistics statistics;
 
-  ChunkView view() const noexcept { return {screen_triangles.data(), vertices.attributes.data(), vertices.stride}; }
+  ChunkView view() const noexcept {
+    return {.triangles = screen_triangles.data(), .attributes = vertices.attributes.data(), .stride = vertices.stride,
+            .shapes = shapes.empty() ? nullptr : shapes.data(),
+            .fog = vertices.fog_coordinates.empty() ? nullptr : vertices.fog_coordinates.data()};
+  }
 };
 
 }  // namespace tuberia

@@ -44,7 +44,7 @@ struct TriangleAttributes {
 
  private:
   HWY_INLINE void load_flat(const float* provoking) {
-    for (std::uint32_t bit = 1; bit <= static_cast<std::uint32_t>(Attributes::custom); bit <<= 1) {
+    for (std::uint32_t bit = 1; bit <= static_cast<std::uint32_t>(kLastAttribute); bit <<= 1) {
       const auto one = static_cast<Attributes>(bit);
       if (!contains(Program::flat, one)) continue;
       for (int i = 0; i < scalar_count(one); ++i) {
@@ -77,6 +77,11 @@ class Fragment {
   }
   HWY_INLINE Vec4<F> colour() const { return quadruple<Attributes::colour>(); }
   HWY_INLINE Vec4<F> custom() const { return quadruple<Attributes::custom>(); }
+  /// (s, t, r, q) of texture unit kUnit, not yet divided by q.
+  template <int kUnit>
+  HWY_INLINE Vec4<F> texture_unit() const {
+    return quadruple<static_cast<Attributes>(static_cast<std::uint32_t>(Attributes::unit0) << kUnit)>();
+  }
 
   /// The texture's colour at uv, filtered by the derivatives of uv over each quad of fragments.
   HWY_INLINE Vec4<F> sample(const Texture& texture, const Sampler& sampler, Vec2<F> uv) const {

@@ -160,6 +160,7 @@ void shade_block(const FragmentJob& job, const ChunkView& chunk, FragmentBlock& 
     kept |= static_cast<std::uint64_t>(bits_of(live)) << first;
   }
   block.live = kept;
+  for (int s = 0; s < block.samples; ++s) block.sample_live[s] &= kept;
 }
 
 /// The kernels of a program for the instruction set that is being compiled.

@@ -36,6 +36,7 @@ struct ProgramInterface {
   Attributes interpolated = Attributes::none;  // over the triangle
   Attributes flat = Attributes::none;          // as at its first vertex
   const ProgramKernels& (*kernels)(InstructionSet, Precision) = nullptr;
+  bool may_discard = false;
   const char* (*refusal)(const void* uniforms) = nullptr;  // why these cannot be drawn with; null if they can
 
   constexpr Attributes attributes() const noexcept { return interpolated | flat; }

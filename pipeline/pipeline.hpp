@@ -8,6 +8,7 @@
 #include "base/result.hpp"
 #include "pipeline/chunk.hpp"
 #include "pipeline/draw_call.hpp"
+#include "pipeline/observer.hpp"
 #include "raster/render_target.hpp"
 
 namespace tuberia {
@@ -27,6 +28,9 @@ class Pipeline {
   /// threads nor the instruction set change a bit of the result.
   Result<DrawStatistics> draw(RenderTarget& target, const DrawCall& draw_call);
 
+  /// The same on one thread, telling an observer after each stage; the same bits.
+  Result<DrawStatistics> draw(RenderTarget& target, const DrawCall& draw_call, Observer& observer);
+
   /// Linear colour, and depth in [0, 1].
   void clear(RenderTarget& target, const Rgba32F& colour, float depth = 1);
 
@@ -34,6 +38,9 @@ class Pipeline {
   const PipelineOptions& options() const noexcept { return options_; }
 
  private:
+  template <class Tap>
+  DrawStatistics run(RenderTarget&, const DrawCall&, const AcceptedDraw&, Workers&, const Tap&);
+
   PipelineOptions options_;
   Workers workers_;
   std::vector<std::unique_ptr<Chunk>> chunks_;  // kept from draw to draw, for their memory

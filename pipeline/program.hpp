@@ -47,6 +47,7 @@
         .kernels = [](InstructionSet set, Precision precision) -> const ProgramKernels& {  \
           TUBERIA_RETURN_FOR(set, NAME##_kernels(precision))                               \
         },                                                                                 \
+        .may_discard = HWY_NAMESPACE::PROGRAM::may_discard,                                \
         .refusal = [](const void* uniforms) -> const char* {                               \
           using Program = HWY_NAMESPACE::PROGRAM;                                          \
           return Program::refusal(*static_cast<const Program::Uniforms*>(uniforms));       \

@@ -104,7 +104,15 @@ Result<AcceptedDraw> validate(const DrawCall& draw, const RenderTarget& target, 
                      .colour_format = target.colour_format(),
                      .min_depth = std::min(range.near_depth, range.far_depth),
                      .max_depth = std::max(range.near_depth, range.far_depth),
-                     .clip = accepted.clip};
+                     .clip = accepted.clip,
+                     .stencil = state.stencil,
+                     .alpha_test = state.alpha_test,
+                     .fog = state.fog,
+                     .multisampling = state.multisampling,
+                     .stipple = state.rasterization.line.stipple.value_or(StipplePattern{})};
+  accepted.output.samples = 1;
+  accepted.is_everyday = is_everyday(accepted.output) && makes_triangles(state.assembly.topology) &&
+                         state.rasterization.front_mode == PolygonMode::fill && state.rasterization.back_mode == PolygonMode::fill;
   return accepted;
 }
 

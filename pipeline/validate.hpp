@@ -13,6 +13,7 @@ struct AcceptedDraw {
   Viewport viewport;
   PixelRect clip;            // target, viewport and scissor
   OutputState output;
+  bool is_everyday = true;   // the fused tile loops can draw it
 };
 
 /// Error naming the culprit: an index beyond the vertices, attribute arrays of the wrong length, a

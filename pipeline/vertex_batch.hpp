@@ -26,6 +26,7 @@ struct VertexBatch {
   AlignedVector<float> depth;
   AlignedVector<float> attributes;          // `stride` floats a slot; only of vertices in use
   int stride = 0;
+  AlignedVector<float> fog_coordinates;     // one a slot; empty without fog
 
   int size() const noexcept { return static_cast<int>(source.size() + clipped.size()); }
   ClipArrays clip_arrays() noexcept {

@@ -3,8 +3,16 @@
 namespace tuberia {
 
 std::int64_t primitive_count(Topology topology, std::int64_t elements) noexcept {
-  if (topology == Topology::triangles) return elements / 3;
-  return elements < 3 ? 0 : elements - 2;
+  switch (topology) {
+    case Topology::triangles: return elements / 3;
+    case Topology::triangle_strip:
+    case Topology::triangle_fan: return elements < 3 ? 0 : elements - 2;
+    case Topology::lines: return elements / 2;
+    case Topology::line_strip: return elements < 2 ? 0 : elements - 1;
+    case Topology::line_loop: return elements < 2 ? 0 : elements;
+    case Topology::points: break;
+  }
+  return elements;
 }
 
 void VertexFetch::operator()(const MeshView& mesh, Topology topology, PrimitiveRange range, VertexBatch& batch,
@@ -36,6 +44,7 @@ void VertexFetch::operator()(const MeshView& mesh, Topology topology, PrimitiveR
       fetch(0);
       for (std::int64_t e = range.first + 1; e < range.first + range.count + 2; ++e) fetch(e);
       break;
+    default: break;
   }
 }
 

@@ -12,6 +12,7 @@ namespace tuberia {
 ///     E = 256 * e + (remainder),  e = constant + per_x * x + per_y * y   in whole numbers,
 /// with 0 <= remainder < 256 the same for all pixels, since centres are whole pixels apart. The
 /// top-left rule has already been taken off, so a centre is covered exactly when all e >= 0.
+/// Points and lines are such records, too: see ScreenShape.
 struct ScreenTriangle {
   std::int32_t per_x[3], per_y[3];  // |.| <= 2^24
   std::int32_t constant_low[3];     // the constants' lowest 32 bits
@@ -36,7 +37,10 @@ struct ScreenTriangle {
   // Spans of up to kNearSpanPixels keep e within 32 bits at every pixel of every touched tile, so
   // weights come straight from e; larger ones take weights from planes anchored to the pixel grid.
   std::uint8_t is_near;
+  std::uint8_t is_back;        // turned away; 0 for points and lines, and where nobody asked
+  std::uint8_t remainder[3];   // of the edge functions, see above: what multisampling starts from
 };
+static_assert(sizeof(ScreenTriangle) == 128, "two cache lines");
 
 /// |E| <= 2 * span * (span + tile), in units, must stay below 2^39 for e to fit 32 bits:
 /// 2 * (1984*256) * (1984*256 + 64*256) = 5.3e11 < 2^39 = 5.5e11.

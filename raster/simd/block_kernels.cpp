@@ -28,6 +28,8 @@ struct BlockWriter {
     FragmentBlock& to = block_at(tile.left + block % kBlocksPerTileRow * kBlockSize,
                                  tile.top + block / kBlocksPerTileRow * kBlockSize);
     to.live |= static_cast<std::uint64_t>(bits_of(group.covered)) << first;
+    to.sample_live[0] = to.live;
+    store(interpolated_depth(triangle, group.weight), to.depth_value[0] + first);
     store(group.weight[0], to.weight[0] + first);
     store(group.weight[1], to.weight[1] + first);
   }
@@ -64,19 +66,24 @@ HWY_INLINE int index_of(const FragmentBlock& block, const Tile& tile) {
 }
 
 template <Precision P>
+void apply_fog(FragmentBlock&, const ChunkView&, const OutputState&) {}
+
+template <Precision P>
+void test_alpha(FragmentBlock&, const OutputState&) {}
+
+template <Precision P>
 void test_depth(FragmentBlock& block, const OutputState& state, const Tile& tile) {
   using F = Float<P>;
   std::uint64_t passed = 0;
   for (int first = 0; first < kBlockPixels; first += kLanes) {
     const Mask live = live_lanes(block, first);
     if (none(live)) continue;
-    const F weight[2] = {load<F>(block.weight[0] + first), load<F>(block.weight[1] + first)};
-    const Int code = depth_code(interpolated_depth(*block.triangle, weight), state);
-    store(code, block.depth + first);
+    const Int code = depth_code(load<F>(block.depth_value[0] + first), state);
+    store(code, block.depth[0] + first);
     const Mask passing = depth_test(live, code, state, tile.depth + index_of(block, tile) + first);
     passed |= static_cast<std::uint64_t>(bits_of(passing)) << first;
   }
-  block.live = passed;
+  block.live = block.sample_live[0] = passed;
 }
 
 template <Precision P>
@@ -93,9 +100,9 @@ void blend_block(const FragmentBlock& block, const OutputState& state, const Til
 }
 
 const BlockKernels& block_table(Precision precision) {
-  static constexpr BlockKernels kExact{&rasterize<Precision::exact>, &test_depth<Precision::exact>,
+  static constexpr BlockKernels kExact{&rasterize<Precision::exact>, &apply_fog<Precision::exact>, &test_alpha<Precision::exact>, &test_depth<Precision::exact>,
                                        &blend_block<Precision::exact>};
-  static constexpr BlockKernels kFast{&rasterize<Precision::fast>, &test_depth<Precision::fast>,
+  static constexpr BlockKernels kFast{&rasterize<Precision::fast>, &apply_fog<Precision::fast>, &test_alpha<Precision::fast>, &test_depth<Precision::fast>,
                                       &blend_block<Precision::fast>};
   return precision == Precision::exact ? kExact : kFast;
 }

@@ -20,8 +20,8 @@ class DepthBlock {
   explicit DepthBlock(const BlockFloats& depths, std::uint64_t live = ~std::uint64_t{0}) {
     triangle_.depth_delta[0] = 1;
     block_.triangle = &triangle_;
-    block_.live = live;
-    std::copy(depths.begin(), depths.end(), block_.weight[0]);
+    block_.live = block_.sample_live[0] = live;
+    std::copy(depths.begin(), depths.end(), block_.depth_value[0]);
   }
   DepthBlock(const DepthBlock&) = delete;
   FragmentBlock& block() { return block_; }
@@ -33,7 +33,7 @@ class DepthBlock {
 
 inline FragmentBlock colour_block(const std::array<Rgba32F, kBlockPixels>& colours, std::uint64_t live = ~std::uint64_t{0}) {
   FragmentBlock block;
-  block.live = live;
+  block.live = block.sample_live[0] = live;
   for (std::size_t i = 0; i < colours.size(); ++i) {
     const float channels[4] = {colours[i].r, colours[i].g, colours[i].b, colours[i].a};
     for (std::size_t c = 0; c < 4; ++c) block.colour[c][i] = channels[c];

@@ -1,0 +1,61 @@
+#pragma once
+// Watching a draw: between the stages, on finished batches.
+
+#include <cstdint>
+
+#include "pipeline/chunk.hpp"
+#include "pipeline/validate.hpp"
+#include "raster/fragment_block.hpp"
+
+namespace tuberia {
+
+/// The borders at which a draw can be watched, in the order of the pipeline. FragmentShading and
+/// DepthTest change places when depth is tested early.
+enum class Stage : std::uint8_t {
+  vertex_transform,    // chunk.vertices: clip space and outcodes
+  primitive_assembly,  // chunk.triangles or chunk.lines or chunk.points
+  clipping,            // the same, cut; chunk.vertices.clipped has the new vertices
+  perspective_divide,  // chunk.vertices: screen_x, screen_y, depth
+  culling,             // the primitives that are left
+  vertex_attributes,   // chunk.vertices.attributes, of vertices still in use
+  set_up,              // chunk.screen_triangles, chunk.shapes
+  rasterization,       // a block: live, weight, depth_value
+  fragment_shading,    // a block: live, colour (fog included)
+  alpha_test,          // a block: live
+  depth_test,          // a block: live, depth; the tile's depth and stencil
+  blending,            // the tile's colours
+};
+
+/// Derive from it what shall be told. A watched draw goes through the same stages and leaves the
+/// same bits; it runs on one thread, so calls come in order. References last until the call returns.
+class Observer {
+ public:
+  virtual ~Observer() = default;
+  virtual void begin(const DrawCall&, const AcceptedDraw&) {}
+  /// A geometry stage has finished with a chunk.
+  virtual void after(Stage, const Chunk&) {}
+  /// A fragment stage is about to change a block, or the tile through it; and has done so. No call
+  /// `before` rasterization, which makes the blocks.
+  virtual void before(Stage, const Chunk&, const FragmentBlock&, const Tile&) {}
+  virtual void after(Stage, const Chunk&, const FragmentBlock&, const Tile&) {}
+  virtual void end(const DrawStatistics&) {}
+};
+
+/// What the stages are compiled with when nobody watches: nothing.
+struct NoTap {
+  static constexpr bool kWatches = false;
+  static void after(Stage, const Chunk&) noexcept {}
+  static void before(Stage, const Chunk&, const FragmentBlock&, const Tile&) noexcept {}
+  static void after(Stage, const Chunk&, const FragmentBlock&, const Tile&) noexcept {}
+};
+
+/// Passes everything on to an observer.
+struct ObserverTap {
+  static constexpr bool kWatches = true;
+  Observer& observer;
+  void after(Stage stage, const Chunk& chunk) const { observer.after(stage, chunk); }
+  void before(Stage stage, const Chunk& chunk, const FragmentBlock& block, const Tile& tile) const { observer.before(stage, chunk, block, tile); }
+  void after(Stage stage, const Chunk& chunk, const FragmentBlock& block, const Tile& tile) const { observer.after(stage, chunk, block, tile); }
+};
+
+}  // namespace tuberia
