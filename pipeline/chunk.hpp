@@ -12,9 +12,11 @@
 namespace tuberia {
 
 // Small enough for a core's second cache with all its vertices, large enough that the lists of
-// tiles are cheap. Slots must fit 16 bits: 3 vertices and at most 9 clipped corners a primitive.
+// tiles are cheap. Slots must fit 16 bits: 3 vertices and at most 17 clipped corners a primitive; and
+// where faces have colours of their own, as many again.
 inline constexpr int kPrimitivesPerChunk = 2048;
-static_assert(kPrimitivesPerChunk * 12 < 65536);
+inline constexpr int kTwoSidedPrimitivesPerChunk = 1024;
+static_assert(kPrimitivesPerChunk * 20 < 65536 && kTwoSidedPrimitivesPerChunk * 40 < 65536);
 
 struct Chunk {
   PrimitiveRange range;
@@ -22,10 +24,17 @@ struct Chunk {
   std::vector<std::uint32_t> slots;
   VertexBatch vertices;
   TriangleBatch triangles;
+  LineBatch lines;
+  PointBatch points;
+  PolygonBatch polygons;            // only between clipping and culling, and for polygon modes
   std::vector<ScreenTriangle> screen_triangles;
   std::vector<ScreenShape> shapes;  // empty when all are triangles
+  std::uint32_t stipple_advance = 0;  // how far the chunk's part of a line strip moves the pattern on
   TileLists tiles;
   DrawStatistics statistics;
+
+  /// How many triangles, lines and points there are at the moment.
+  std::int64_t primitives() const noexcept { return triangles.count + static_cast<std::int64_t>(lines.size() + points.size()); }
 
   ChunkView view() const noexcept {
     return {.triangles = screen_triangles.data(), .attributes = vertices.attributes.data(), .stride = vertices.stride,

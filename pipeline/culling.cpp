@@ -2,18 +2,18 @@
 
 namespace tuberia {
 
-Culling::Culling(const CullingState& state, const PixelRect& clip, InstructionSet instruction_set) noexcept
+Culling::Culling(const CullingState& state, const PixelRect& clip, InstructionSet instruction_set, int samples) noexcept
     : clip_(clip), kernels_(geometry_kernels(instruction_set)) {
   const bool front = state.cull != CullFace::front, back = state.cull != CullFace::back;
   const bool clockwise_is_front = state.front_face == Winding::clockwise;
-  keep_clockwise_ = clockwise_is_front ? front : back;
-  keep_counter_clockwise_ = clockwise_is_front ? back : front;
+  options_ = {.keep_clockwise = clockwise_is_front ? front : back,
+              .keep_counter_clockwise = clockwise_is_front ? back : front,
+              .counter_clockwise_is_back = clockwise_is_front,
+              .margin_pixels = samples > 1 ? 1 : 0};
 }
 
 void Culling::operator()(VertexBatch& vertices, TriangleBatch& triangles) const {
-  const int kept = clip_.empty() ? 0
-                                 : kernels_.cull(triangles.arrays(), triangles.count, vertices.screen_arrays(),
-                                                 keep_clockwise_, keep_counter_clockwise_, clip_);
+  const int kept = clip_.empty() ? 0 : kernels_.cull(triangles.arrays(), triangles.count, vertices.screen_arrays(), options_, clip_);
   triangles.resize(kept);
 }
 

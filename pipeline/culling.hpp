@@ -8,17 +8,17 @@ namespace tuberia {
 
 class Culling {
  public:
-  /// clip: the pixels that may be drawn.
-  Culling(const CullingState& state, const PixelRect& clip, InstructionSet instruction_set) noexcept;
+  /// clip: the pixels that may be drawn; samples: of each.
+  Culling(const CullingState& state, const PixelRect& clip, InstructionSet instruction_set, int samples = 1) noexcept;
 
   /// Drops, keeping the order: faces turned the wrong way, by the sign of the exact snapped area
   /// that coverage uses, too, so that the two cannot disagree; triangles without area; triangles
-  /// whose bounds hold no pixel centre. The others come out clockwise on the screen.
+  /// whose bounds hold no pixel centre (or, with several samples, are not near one). The others come out clockwise on the screen.
   ///                                                                  [C 3.9, FIX 4] [rules R4]
   void operator()(VertexBatch& vertices, TriangleBatch& triangles) const;
 
  private:
-  bool keep_clockwise_, keep_counter_clockwise_;
+  CullOptions options_;
   PixelRect clip_;
   const GeometryKernels& kernels_;
 };

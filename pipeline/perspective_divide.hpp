@@ -1,7 +1,9 @@
 #pragma once
 // Stage 4: clip space to ndc by division, to the screen by the viewport, to 24.8 by the snap.
 
-#include "pipeline/state.hpp"
+#include <span>
+
+#include "pipeline/draw_call.hpp"
 #include "pipeline/vertex_batch.hpp"
 
 namespace tuberia {
@@ -17,6 +19,9 @@ class PerspectiveDivide {
   /// Screen coordinates and depths of all vertices of the batch. Clip w stays: interpolation needs
   /// it.                                                            [C 3.8] [rules R1]
   void operator()(VertexBatch& batch) const;
+
+  /// In its place, for vertices that are on the screen already.
+  static void take(std::span<const ScreenVertex> vertices, VertexBatch& batch);
 
  private:
   ScreenMap map_;

@@ -25,4 +25,20 @@ void PrimitiveAssembly::operator()(std::span<const std::uint32_t> slots, Primiti
   }
 }
 
+void PrimitiveAssembly::operator()(std::span<const std::uint32_t> slots, PrimitiveRange range, LineBatch& out) const {
+  out.resize(static_cast<std::size_t>(range.count));
+  const std::size_t step = topology_ == Topology::lines ? 2 : 1;
+  for (std::size_t i = 0; i < out.size(); ++i)
+    out[i] = {.v0 = slots[step * i], .v1 = slots[step * i + 1], .provoking = slots[step * i],
+              .primitive = static_cast<std::uint32_t>(range.first + static_cast<std::int64_t>(i)),
+              .begins_pattern = topology_ == Topology::lines};
+}
+
+void PrimitiveAssembly::operator()(std::span<const std::uint32_t> slots, PrimitiveRange range, PointBatch& out) const {
+  out.resize(static_cast<std::size_t>(range.count));
+  for (std::size_t i = 0; i < out.size(); ++i)
+    out[i] = {.vertex = slots[i], .provoking = slots[i],
+              .primitive = static_cast<std::uint32_t>(range.first + static_cast<std::int64_t>(i))};
+}
+
 }  // namespace tuberia

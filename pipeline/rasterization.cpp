@@ -4,7 +4,16 @@ namespace tuberia {
 
 void Rasterization::set_up(TriangleBatch& triangles, VertexBatch& vertices, std::vector<ScreenTriangle>& out) const {
   out.resize(static_cast<std::size_t>(triangles.count));
-  geometry_.set_up(triangles.arrays(), triangles.count, vertices.screen_arrays(), vertices.clip_w.data(), out.data());
+  geometry_.set_up(triangles.arrays(), triangles.count, vertices.screen_arrays(), vertices.clip_w.data(), margin_pixels_, out.data());
+}
+
+void Rasterization::choose_faces(const VertexBatch& vertices, std::span<ScreenTriangle> records) noexcept {
+  if (vertices.back_slots == 0) return;
+  for (ScreenTriangle& record : records) {
+    if (record.is_back == 0) continue;
+    for (std::uint16_t& slot : record.vertex) slot = static_cast<std::uint16_t>(slot + vertices.back_slots);
+    record.provoking_vertex = static_cast<std::uint16_t>(record.provoking_vertex + vertices.back_slots);
+  }
 }
 
 std::vector<FragmentBlock> Rasterization::blocks(const ScreenTriangle& triangle, RenderTarget& target) const {

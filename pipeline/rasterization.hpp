@@ -12,16 +12,19 @@ namespace tuberia {
 
 class Rasterization {
  public:
-  /// clip: the pixels that may be drawn.
-  Rasterization(const PixelRect& clip, InstructionSet instruction_set, Precision precision) noexcept
-      : clip_(clip), geometry_(geometry_kernels(instruction_set)), blocks_(block_kernels(instruction_set, precision)) {}
+  /// clip: the pixels that may be drawn; samples: of each.
+  Rasterization(const PixelRect& clip, InstructionSet instruction_set, Precision precision, int samples = 1) noexcept
+      : clip_(clip), margin_pixels_(samples > 1 ? 1 : 0), geometry_(geometry_kernels(instruction_set)), blocks_(block_kernels(instruction_set, precision)) {}
 
   /// Edge functions, depth and 1/w of each triangle, by exact arithmetic on snapped vertices.
   void set_up(TriangleBatch& triangles, VertexBatch& vertices, std::vector<ScreenTriangle>& out) const;
 
+  /// Lets what is turned away find its own colours, where faces have them.
+  static void choose_faces(const VertexBatch& vertices, std::span<ScreenTriangle> records) noexcept;
+
   /// Sorts triangles into the tiles of a target.
   void bin(std::span<const ScreenTriangle> triangles, int tiles_per_row, int tile_rows, TileLists& out) const {
-    out.build(triangles, clip_, tiles_per_row, tile_rows);
+    out.build(triangles, clip_, tiles_per_row, tile_rows, 0.5 * margin_pixels_);
   }
 
   /// The blocks of fragments of one triangle on a target, tile by tile. The tile loops do the same
@@ -30,6 +33,7 @@ class Rasterization {
 
  private:
   PixelRect clip_;
+  int margin_pixels_;  // samples lie up to half a pixel beside the centre
   const GeometryKernels& geometry_;
   const BlockKernels& blocks_;
 };

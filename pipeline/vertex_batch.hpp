@@ -1,5 +1,5 @@
 #pragma once
-// The batches that travel through the geometry stages: the vertices and triangles of one chunk.
+// The batches that travel through the geometry stages: the vertices and primitives of one chunk.
 
 #include <cstdint>
 #include <vector>
@@ -9,10 +9,11 @@
 
 namespace tuberia {
 
-/// A vertex that clipping made: weights of the three vertices of the triangle it lies on.
+/// A vertex that clipping made: weights of the vertices of the triangle or line that it lies on.
 struct ClippedVertex {
   std::uint32_t slot[3];
   double weight[3];  // their sum is 1; linear in clip space
+  int count = 3;     // 2 on a line
 };
 
 /// Vertices, an array for each coordinate. A vertex's number here is its slot. Slots from
@@ -27,6 +28,9 @@ struct VertexBatch {
   AlignedVector<float> attributes;          // `stride` floats a slot; only of vertices in use
   int stride = 0;
   AlignedVector<float> fog_coordinates;     // one a slot; empty without fog
+  // Where faces have colours of their own, the vertices of those that are turned away are stored so
+  // many slots after the vertices themselves; else 0.
+  int back_slots = 0;
 
   int size() const noexcept { return static_cast<int>(source.size() + clipped.size()); }
   ClipArrays clip_arrays() noexcept {
@@ -40,6 +44,7 @@ struct TriangleBatch {
   std::vector<std::uint32_t> v0, v1, v2;
   std::vector<std::uint32_t> provoking;   // the vertex that gives flat attributes
   std::vector<std::uint32_t> primitive;   // number in the draw
+  std::vector<std::uint8_t> is_back;      // turned away; after culling
   int count = 0;                          // the arrays are padded beyond it for the kernels
 
   void clear() { resize(0); }
@@ -48,6 +53,7 @@ struct TriangleBatch {
     count = new_count;
     const std::size_t padded = static_cast<std::size_t>(new_count) + kKernelPadding;
     for (auto* array : {&v0, &v1, &v2, &provoking, &primitive}) array->resize(padded, 0u);
+    is_back.resize(padded, 0);
   }
   void add(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t first, std::uint32_t number) {
     const auto i = static_cast<std::size_t>(count);
@@ -58,7 +64,49 @@ struct TriangleBatch {
     provoking[i] = first;
     primitive[i] = number;
   }
-  TriangleArrays arrays() noexcept { return {v0.data(), v1.data(), v2.data(), provoking.data(), primitive.data()}; }
+  TriangleArrays arrays() noexcept { return {v0.data(), v1.data(), v2.data(), provoking.data(), primitive.data(), is_back.data()}; }
+};
+
+/// A line as slots of a VertexBatch: one of a list, a strip or a loop, or a polygon's edge.
+struct AssembledLine {
+  std::uint32_t v0 = 0, v1 = 0;
+  std::uint32_t provoking = 0, primitive = 0;  // as for triangles
+  bool is_back = false;          // of a polygon that is turned away
+  bool begins_pattern = true;    // the stipple pattern starts here; else it goes on from the line before
+  double depth_bias = 0;         // of the polygon
+};
+
+struct AssembledPoint {
+  std::uint32_t vertex = 0;
+  std::uint32_t provoking = 0, primitive = 0;
+  bool is_back = false;
+  double depth_bias = 0;
+};
+
+using LineBatch = std::vector<AssembledLine>;
+using PointBatch = std::vector<AssembledPoint>;
+
+/// A triangle that was clipped, whole: what polygon modes look at.
+struct ClippedTriangle {
+  std::uint32_t slot[3];               // of the triangle's own vertices
+  std::uint32_t provoking, primitive;
+  std::uint32_t first_corner, corner_count;
+};
+
+/// One corner of it.
+struct PolygonCorner {
+  std::uint32_t slot;
+  std::uint8_t zero_weights;           // bit k: the weight of vertex k is exactly 0
+  std::int8_t vertex;                  // 0..2 for the triangle's own vertices, else -1
+};
+
+struct PolygonBatch {
+  std::vector<ClippedTriangle> polygons;
+  std::vector<PolygonCorner> corners;
+  void clear() {
+    polygons.clear();
+    corners.clear();
+  }
 };
 
 }  // namespace tuberia

@@ -1,5 +1,7 @@
 #include "pipeline/vertex_fetch.hpp"
 
+#include <algorithm>
+
 namespace tuberia {
 
 std::int64_t primitive_count(Topology topology, std::int64_t elements) noexcept {
@@ -33,18 +35,25 @@ void VertexFetch::operator()(const MeshView& mesh, Topology topology, PrimitiveR
     slots.push_back(entry.slot);
   };
 
+  const std::int64_t first = range.first, end = range.first + range.count;
+  const auto fetch_run = [&](std::int64_t from, std::int64_t to) {
+    for (std::int64_t e = from; e < to; ++e) fetch(e);
+  };
   switch (topology) {
-    case Topology::triangles:
-      for (std::int64_t e = 3 * range.first; e < 3 * (range.first + range.count); ++e) fetch(e);
-      break;
-    case Topology::triangle_strip:
-      for (std::int64_t e = range.first; e < range.first + range.count + 2; ++e) fetch(e);
-      break;
+    case Topology::triangles: return fetch_run(3 * first, 3 * end);
+    case Topology::triangle_strip: return fetch_run(first, end + 2);
     case Topology::triangle_fan:
       fetch(0);
-      for (std::int64_t e = range.first + 1; e < range.first + range.count + 2; ++e) fetch(e);
-      break;
-    default: break;
+      return fetch_run(first + 1, end + 2);
+    case Topology::lines: return fetch_run(2 * first, 2 * end);
+    case Topology::line_strip: return fetch_run(first, end + 1);
+    case Topology::line_loop: {
+      const auto elements = static_cast<std::int64_t>(mesh.element_count());
+      fetch_run(first, std::min(end + 1, elements));
+      if (end == elements) fetch(0);  // the last line goes back to where the first one began
+      return;
+    }
+    case Topology::points: return fetch_run(first, end);
   }
 }
 

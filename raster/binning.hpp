@@ -14,7 +14,9 @@ namespace tuberia {
 class TileLists {
  public:
   /// Bins triangles (65535 at most) by their bounds within `clip`; large ones also by their edges.
-  void build(std::span<const ScreenTriangle> triangles, const PixelRect& clip, int tiles_per_row, int tile_rows);
+  /// reach_pixels: how far beside a pixel's centre coverage is tested: 0, or 1/2 with several samples.
+  void build(std::span<const ScreenTriangle> triangles, const PixelRect& clip, int tiles_per_row, int tile_rows,
+             double reach_pixels = 0);
 
   std::span<const std::uint16_t> of_tile(int tile) const noexcept {
     const auto i = static_cast<std::size_t>(tile);

@@ -20,6 +20,7 @@ inline constexpr std::uint32_t left = 1, right = 2, bottom = 4, top = 8;  // the
 inline constexpr std::uint32_t near = 16, far = 32;                       // the two ends of z
 inline constexpr std::uint32_t behind = 64;    // w <= 0
 inline constexpr std::uint32_t invalid = 128;  // not finite: the primitive is dropped
+inline constexpr std::uint32_t user = 256;     // the first user plane; plane k has user << k
 }  // namespace outcode
 
 /// Clip-space vertices, an array for each coordinate.
@@ -29,9 +30,13 @@ struct ClipArrays {
 };
 
 /// The volume that outcodes and clipping refer to: |x| <= guard_x * w, |y| <= guard_y * w, and
-/// z_low * w <= z <= w (z_low is -1 or 0).
+/// z_low * w <= z <= w (z_low is -1 or 0); and the user's planes, inside where
+/// ((a x + b y) + c z) + d w >= 0 in double.
 struct ClipLimits {
+  static constexpr int kMaxUserPlanes = 8;
   float guard_x = 1, guard_y = 1, z_low = -1;
+  int user_plane_count = 0;
+  double user_planes[kMaxUserPlanes][4] = {};
 };
 
 /// Affine maps from ndc to the screen: pixels and depth, e.g. x_pixels = ndc.x * x_scale + x_offset.
@@ -48,6 +53,14 @@ struct ScreenArrays {
 /// Triangles as three arrays of vertex slots, with what else must stay with them.
 struct TriangleArrays {
   std::uint32_t *v0, *v1, *v2, *provoking, *primitive;
+  std::uint8_t* is_back;  // culling writes it, setup copies it
+};
+
+/// Which triangles stay, and what they are called.
+struct CullOptions {
+  bool keep_clockwise = true, keep_counter_clockwise = true;
+  bool counter_clockwise_is_back = false;  // else the clockwise ones are
+  int margin_pixels = 0;                   // 1 where samples may lie beside the centres
 };
 
 struct GeometryKernels {
@@ -62,12 +75,13 @@ struct GeometryKernels {
 
   /// Keeps, in place and in order, the triangles with an area whose face is wanted and whose bounds
   /// hold a pixel centre of `clip`; their vertices then run clockwise. Returns how many.
-  int (*cull)(const TriangleArrays& triangles, int count, const ScreenArrays& vertices, bool keep_clockwise,
-              bool keep_counter_clockwise, const PixelRect& clip);
+  int (*cull)(const TriangleArrays& triangles, int count, const ScreenArrays& vertices, const CullOptions& options,
+              const PixelRect& clip);
 
-  /// Sets up culled triangles. clip_w: w of the vertices, > 0.
+  /// Sets up culled triangles. clip_w: w of the vertices, > 0. The bounds reach margin_pixels beyond
+  /// the centres that they hold.
   void (*set_up)(const TriangleArrays& triangles, int count, const ScreenArrays& vertices, const float* clip_w,
-                 ScreenTriangle* out);
+                 int margin_pixels, ScreenTriangle* out);
 
   /// World positions (affine, column-major 4x4) and unit normals (column-major 3x3) of vertices.
   /// out: x, y, z arrays one after the other, `count` rounded up to kKernelPadding long each.

@@ -39,33 +39,35 @@ HWY_INLINE Double twice_area(const Corners& c) {
   return (c.x[1] - c.x[0]) * (c.y[2] - c.y[0]) - (c.y[1] - c.y[0]) * (c.x[2] - c.x[0]);
 }
 
-/// The pixels whose centres lie within the bounds of the corners, inclusive.
+/// The pixels whose centres lie within the bounds of the corners, or less than a margin beside them;
+/// inclusive.
 struct PixelBounds {
   Double left, top, right, bottom;
 };
 
-HWY_INLINE PixelBounds pixel_bounds(const Corners& c) {
-  const Double unit(1.0 / kSubpixelUnits), centre(kPixelCentre);
+HWY_INLINE PixelBounds pixel_bounds(const Corners& c, int margin_pixels) {
+  const double margin = margin_pixels * kSubpixelUnits;
+  const Double unit(1.0 / kSubpixelUnits), low_centre(kPixelCentre + margin), high_centre(kPixelCentre - margin);
   const auto first = [&](const Double* v) HWY_ATTR {  // ceil, by way of floor
-    return Double(0.0) - floor((centre - min(min(v[0], v[1]), v[2])) * unit);
+    return Double(0.0) - floor((low_centre - min(min(v[0], v[1]), v[2])) * unit);
   };
-  const auto last = [&](const Double* v) HWY_ATTR { return floor((max(max(v[0], v[1]), v[2]) - centre) * unit); };
+  const auto last = [&](const Double* v) HWY_ATTR { return floor((max(max(v[0], v[1]), v[2]) - high_centre) * unit); };
   return {first(c.x), first(c.y), last(c.x), last(c.y)};
 }
 
-inline int cull(const TriangleArrays& t, int count, const ScreenArrays& vertices, bool keep_clockwise,
-                bool keep_counter_clockwise, const PixelRect& clip) {
+inline int cull(const TriangleArrays& t, int count, const ScreenArrays& vertices, const CullOptions& options,
+                const PixelRect& clip) {
   int kept = 0;
   for (int i = 0; i < count; i += kDoubleLanes) {
     const Corners corners = gather_corners(t, i, vertices);
     const Double area = twice_area(corners);
-    const PixelBounds bounds = pixel_bounds(corners);
+    const PixelBounds bounds = pixel_bounds(corners, options.margin_pixels);
     const DoubleMask holds_a_centre = (max(bounds.left, Double(clip.left)) <= min(bounds.right, Double(clip.right - 1))) &
                                       (max(bounds.top, Double(clip.top)) <= min(bounds.bottom, Double(clip.bottom - 1)));
     const std::uint32_t counter_clockwise = bits_of(area < Double(0.0));
     std::uint32_t keep = 0;
-    if (keep_clockwise) keep |= bits_of(area > Double(0.0));
-    if (keep_counter_clockwise) keep |= counter_clockwise;
+    if (options.keep_clockwise) keep |= bits_of(area > Double(0.0));
+    if (options.keep_counter_clockwise) keep |= counter_clockwise;
     keep &= bits_of(holds_a_centre);
 
     // Lists are copied forward in order; the loop never overtakes its reading.
@@ -80,6 +82,7 @@ inline int cull(const TriangleArrays& t, int count, const ScreenArrays& vertices
       t.v2[kept] = swap ? v1 : v2;
       t.provoking[kept] = t.provoking[from];
       t.primitive[kept] = t.primitive[from];
+      t.is_back[kept] = swap == options.counter_clockwise_is_back;
       ++kept;
     }
   }
@@ -92,7 +95,7 @@ struct SetupLanes {
   alignas(64) double constant[3][kDoubleLanes];
   alignas(64) float weight_scale[kDoubleLanes], weight_offset[2][kDoubleLanes];
   alignas(64) float depth[3][kDoubleLanes], inverse_w[3][kDoubleLanes];
-  alignas(64) std::int32_t bounds[4][kDoubleLanes];
+  alignas(64) std::int32_t bounds[4][kDoubleLanes], remainder[3][kDoubleLanes];
   std::uint32_t affine, near;
 };
 
@@ -112,12 +115,14 @@ HWY_INLINE void set_up_edges(const Corners& c, SetupLanes& out) {
     store(per_x, out.per_x[k]);
     store(per_y, out.per_y[k]);
     store(whole, out.constant[k]);
-    if (k > 0) store((at_centre - whole * Double(kSubpixelUnits)) * inverse_area, out.weight_offset[k - 1]);
+    const Double rest = at_centre - whole * Double(kSubpixelUnits);  // without the rule taken off
+    store(rest - rule, out.remainder[k]);
+    if (k > 0) store(rest * inverse_area, out.weight_offset[k - 1]);
   }
 }
 
-HWY_INLINE void set_up_bounds(const Corners& c, SetupLanes& out) {
-  const PixelBounds bounds = pixel_bounds(c);
+HWY_INLINE void set_up_bounds(const Corners& c, int margin_pixels, SetupLanes& out) {
+  const PixelBounds bounds = pixel_bounds(c, margin_pixels);
   const Double low(-32768.0), high(32767.0);
   store(max(bounds.left, low), out.bounds[0]);
   store(max(bounds.top, low), out.bounds[1]);
@@ -151,6 +156,7 @@ HWY_INLINE ScreenTriangle assembled(const SetupLanes& s, int lane, const Triangl
     out.constant[k] = s.constant[k][lane];
     out.constant_low[k] = static_cast<std::int32_t>(static_cast<std::int64_t>(s.constant[k][lane]));
     out.inverse_w[k] = s.inverse_w[k][lane];
+    out.remainder[k] = static_cast<std::uint8_t>(s.remainder[k][lane]);
   }
   out.weight_scale = s.weight_scale[lane];
   for (int k = 0; k < 2; ++k) {
@@ -169,16 +175,17 @@ HWY_INLINE ScreenTriangle assembled(const SetupLanes& s, int lane, const Triangl
   out.primitive = t.primitive[i + lane];
   out.is_affine = s.affine >> lane & 1u;
   out.is_near = s.near >> lane & 1u;
+  out.is_back = t.is_back[i + lane];
   return out;
 }
 
 inline void set_up(const TriangleArrays& t, int count, const ScreenArrays& vertices, const float* clip_w,
-                   ScreenTriangle* out) {
+                   int margin_pixels, ScreenTriangle* out) {
   SetupLanes lanes;
   for (int i = 0; i < count; i += kDoubleLanes) {
     const Corners corners = gather_corners(t, i, vertices);
     set_up_edges(corners, lanes);
-    set_up_bounds(corners, lanes);
+    set_up_bounds(corners, margin_pixels, lanes);
     set_up_depth(t, i, vertices.depth, clip_w, lanes);
     for (int lane = 0; lane < std::min(kDoubleLanes, count - i); ++lane) out[i + lane] = assembled(lanes, lane, t, i);
   }

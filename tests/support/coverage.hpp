@@ -71,11 +71,11 @@ class TriangleSet {
         tile_rows_((height + kTileSize - 1) / kTileSize) {
     fill(triangles, w, depth);
     const GeometryKernels& kernels = geometry_kernels(instruction_set);
-    const TriangleArrays arrays{v_[0].data(), v_[1].data(), v_[2].data(), v_[3].data(), v_[4].data()};
+    const TriangleArrays arrays{v_[0].data(), v_[1].data(), v_[2].data(), v_[3].data(), v_[4].data(), is_back_.data()};
     const ScreenArrays vertices{x_.data(), y_.data(), depth_.data()};
-    kept_ = clip_.empty() ? 0 : kernels.cull(arrays, static_cast<int>(triangles.size()), vertices, true, true, clip_);
+    kept_ = clip_.empty() ? 0 : kernels.cull(arrays, static_cast<int>(triangles.size()), vertices, {}, clip_);
     screen_.resize(static_cast<std::size_t>(kept_));
-    kernels.set_up(arrays, kept_, vertices, w_.data(), screen_.data());
+    kernels.set_up(arrays, kept_, vertices, w_.data(), 0, screen_.data());
     lists_.build(screen_, clip_, tiles_per_row_, tile_rows_);
   }
 
@@ -105,6 +105,7 @@ class TriangleSet {
     x_.resize(padded), y_.resize(padded), depth_.resize(padded), w_.resize(padded, 1.0f);
     std::copy(w.begin(), w.end(), w_.begin());
     std::copy(depth.begin(), depth.end(), depth_.begin());
+    is_back_.resize(triangles.size() + kKernelPadding);
     for (auto& array : v_) array.resize(triangles.size() + kKernelPadding, 0u);
     for (std::size_t i = 0; i < triangles.size(); ++i) {
       for (std::size_t k = 0; k < 3; ++k) {
@@ -122,6 +123,7 @@ class TriangleSet {
   std::vector<std::int32_t> x_, y_;
   std::vector<float> depth_, w_;
   std::vector<std::uint32_t> v_[5];
+  std::vector<std::uint8_t> is_back_;
   std::vector<ScreenTriangle> screen_;
   TileLists lists_;
 };
