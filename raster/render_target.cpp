@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstring>
+#include <string>
 
 #include "math/colour.hpp"
+#include "raster/half_float.hpp"
 
 namespace tuberia {
 namespace {
-
-std::size_t bytes_per_pixel(ColourFormat format) { return format == ColourFormat::rgba32f ? 16 : 4; }
 
 std::uint32_t codes_of(const Rgba32F& c, ColourFormat format) {
   const auto code = [&](float x) -> std::uint32_t {
@@ -19,21 +18,58 @@ std::uint32_t codes_of(const Rgba32F& c, ColourFormat format) {
   return code(c.r) | code(c.g) << 8 | code(c.b) << 16 | static_cast<std::uint32_t>(unorm8_from_linear(c.a)) << 24;
 }
 
-Rgba8 rgba_of(std::uint32_t code) {
-  return {static_cast<std::uint8_t>(code), static_cast<std::uint8_t>(code >> 8),
-          static_cast<std::uint8_t>(code >> 16), static_cast<std::uint8_t>(code >> 24)};
+/// Calls visit(index, count) for runs of pixels of a tile, 0..kTilePixels-1, that lie in a rectangle
+/// of the target: one run when all of them do.
+template <class Visit>
+void for_each_run(const Tile& tile, const PixelRect& rectangle, Visit&& visit) {
+  const PixelRect part = intersection(rectangle, {tile.left, tile.top, tile.left + kTileSize, tile.top + kTileSize});
+  if (part.empty()) return;
+  if (part.right - part.left == kTileSize && part.bottom - part.top == kTileSize) return visit(0, kTilePixels);
+  for (int y = part.top; y < part.bottom; ++y)
+    for (int x = part.left; x < part.right; ++x) visit(index_in_tile(x - tile.left, y - tile.top), 1);
 }
 
-std::uint32_t code_at(const std::byte* tile, int index) {
-  std::uint32_t code;
-  std::memcpy(&code, tile + static_cast<std::size_t>(index) * 4, 4);
-  return code;
+/// One value in each of the four planes of a block's pixels.
+template <class Channel>
+void fill_planes(Channel* colours, const Channel (&value)[4], const bool (&mask)[4], int index, int count) {
+  const int run = std::min(count, kBlockPixels);
+  for (int i = index; i < index + count; i += run)
+    for (int c = 0; c < 4; ++c)
+      if (mask[c]) std::fill_n(colours + i / kBlockPixels * (4 * kBlockPixels) + c * kBlockPixels + i % kBlockPixels, run, value[c]);
 }
 
-Rgba32F floats_at(const std::byte* tile, int index) {
-  const float* block = reinterpret_cast<const float*>(tile) + index / kBlockPixels * (4 * kBlockPixels);
-  const float* first = block + index % kBlockPixels;
-  return {first[0], first[kBlockPixels], first[2 * kBlockPixels], first[3 * kBlockPixels]};
+/// What a clear writes into the colours of any tile.
+struct ColourFill {
+  ColourFormat format;
+  bool mask[4];
+  std::uint32_t code, code_mask;
+  float floats[4];
+  std::uint16_t halves[4];
+
+  ColourFill(const Rgba32F& c, const ColourMask& m, ColourFormat colour_format)
+      : format(colour_format), mask{m.red, m.green, m.blue, m.alpha}, code(codes_of(c, colour_format)),
+        code_mask((m.red ? 0xffu : 0u) | (m.green ? 0xff00u : 0u) | (m.blue ? 0xff0000u : 0u) | (m.alpha ? 0xff000000u : 0u)),
+        floats{c.r, c.g, c.b, c.a},
+        halves{half_from_float(c.r), half_from_float(c.g), half_from_float(c.b), half_from_float(c.a)} {}
+
+  void operator()(void* colours, int index, int count) const {
+    if (format == ColourFormat::rgba32f) return fill_planes(static_cast<float*>(colours), floats, mask, index, count);
+    if (format == ColourFormat::rgba16f) return fill_planes(static_cast<std::uint16_t*>(colours), halves, mask, index, count);
+    std::uint32_t* first = static_cast<std::uint32_t*>(colours) + index;
+    if (code_mask == 0xffffffffu) std::fill_n(first, count, code);
+    else for (int i = 0; i < count; ++i) first[i] = (first[i] & ~code_mask) | (code & code_mask);
+  }
+};
+
+std::optional<Error> clear_refusal(const ClearCommand& command, bool has_stencil) {
+  if (command.stencil && !has_stencil)
+    return Error{"clear: stencil is " + std::to_string(*command.stencil) + ", but the target has no stencil buffer"};
+  if (command.depth && std::isnan(*command.depth)) return Error{"clear: depth is not a number"};
+  if (!command.colour) return {};
+  const Rgba32F& c = *command.colour;
+  for (const auto& [name, value] : {std::pair{"red", c.r}, {"green", c.g}, {"blue", c.b}, {"alpha", c.a}})
+    if (std::isnan(value)) return Error{std::string("clear: the colour's ") + name + " is not a number"};
+  return {};
 }
 
 }  // namespace
@@ -57,94 +93,75 @@ std::int32_t code_of_depth(float depth, DepthFormat format) noexcept {
   return std::bit_cast<std::int32_t>(clamped);
 }
 
-Result<RenderTarget> RenderTarget::create(int width_pixels, int height_pixels, ColourFormat colour, DepthFormat depth) {
-  if (width_pixels < 1 || height_pixels < 1 || width_pixels > kMaxSize || height_pixels > kMaxSize)
-    return Error{"a render target of " + std::to_string(width_pixels) + "x" + std::to_string(height_pixels) +
+Result<RenderTarget> RenderTarget::create(const RenderTargetDescription& description) {
+  const auto& [width, height, colour, depth, stencil, samples] = description;
+  if (width < 1 || height < 1 || width > kMaxSize || height > kMaxSize)
+    return Error{"a render target of " + std::to_string(width) + "x" + std::to_string(height) +
                  " pixels is out of range: 1 to " + std::to_string(kMaxSize) + " each way"};
+  if (!is_sample_count(samples))
+    return Error{"a render target of " + std::to_string(samples) + " samples a pixel is not possible: 1, 2, 4, 8 or 16 are"};
   RenderTarget target;
-  target.width_ = width_pixels;
-  target.height_ = height_pixels;
-  target.tiles_per_row_ = (width_pixels + kTileSize - 1) / kTileSize;
-  target.tile_rows_ = (height_pixels + kTileSize - 1) / kTileSize;
-  target.colour_format_ = colour;
-  target.depth_format_ = depth;
-  const auto pixels = static_cast<std::size_t>(target.tile_count()) * kTilePixels;
-  target.colour_.resize(pixels * bytes_per_pixel(colour));
-  target.depth_.resize(pixels, code_of_depth(1.0f, depth));
+  target.description_ = description;
+  target.tiles_per_row_ = (width + kTileSize - 1) / kTileSize;
+  target.tile_rows_ = (height + kTileSize - 1) / kTileSize;
+  const auto codes = static_cast<std::size_t>(target.tile_count()) * kTilePixels * static_cast<std::size_t>(samples);
+  target.colour_.resize(codes * static_cast<std::size_t>(bytes_per_pixel(colour)));
+  target.depth_.resize(codes, code_of_depth(1.0f, depth));
+  if (stencil) target.stencil_.resize(codes);
   return target;
 }
 
 Tile RenderTarget::tile(int number) noexcept {
+  const std::size_t first = static_cast<std::size_t>(number) * kTilePixels * static_cast<std::size_t>(samples());
   return {.left = number % tiles_per_row_ * kTileSize,
           .top = number / tiles_per_row_ * kTileSize,
-          .colour = const_cast<std::byte*>(tile_colour(number)),
-          .depth = depth_.data() + static_cast<std::size_t>(number) * kTilePixels};
+          .colour = const_cast<std::byte*>(tile_colour(number, 0)),
+          .depth = depth_.data() + first,
+          .stencil = has_stencil() ? stencil_.data() + first : nullptr,
+          .samples = samples()};
 }
 
-const std::byte* RenderTarget::tile_colour(int number) const noexcept {
-  return colour_.data() + static_cast<std::size_t>(number) * kTilePixels * bytes_per_pixel(colour_format_);
+const std::byte* RenderTarget::tile_colour(int number, int sample) const noexcept {
+  const auto plane = static_cast<std::size_t>(number) * static_cast<std::size_t>(samples()) + static_cast<std::size_t>(sample);
+  return colour_.data() + plane * kTilePixels * static_cast<std::size_t>(bytes_per_pixel(colour_format()));
+}
+
+Result<Nothing> RenderTarget::clear(const ClearCommand& command, Workers& workers) {
+  if (const std::optional<Error> refusal = clear_refusal(command, has_stencil())) return *refusal;
+  // Pixels beyond the target's right and lower edges are never shown: without a scissor, whole tiles.
+  const PixelRect rectangle = command.scissor ? intersection(*command.scissor, bounds())
+                                              : PixelRect{0, 0, tiles_per_row_ * kTileSize, tile_rows_ * kTileSize};
+  const ColourFill fill_colour(command.colour.value_or(Rgba32F{0, 0, 0, 0}), command.colour_mask, colour_format());
+  const std::int32_t depth = code_of_depth(command.depth.value_or(1.0f), depth_format());
+  const int mask = command.stencil_write_mask, stencil = command.stencil.value_or(std::uint8_t{0}) & mask;
+  parallel_for(workers, tile_count(), [&](std::int64_t number, int) {
+    const Tile all = tile(static_cast<int>(number));
+    for (int s = 0; s < samples(); ++s) {
+      const Tile plane = plane_of_sample(all, colour_format(), s);
+      for_each_run(plane, rectangle, [&](int index, int count) {
+        if (command.colour) fill_colour(plane.colour, index, count);
+        if (command.depth) std::fill_n(plane.depth + index, count, depth);
+        if (!command.stencil) return;
+        for (int i = index; i < index + count; ++i)
+          plane.stencil[i] = static_cast<std::uint8_t>((plane.stencil[i] & ~mask) | stencil);
+      });
+    }
+  });
+  return Nothing{};
 }
 
 void RenderTarget::clear_colour(const Rgba32F& colour, Workers& workers) {
-  const std::uint32_t code = codes_of(colour, colour_format_);
-  const float channels[4] = {colour.r, colour.g, colour.b, colour.a};
+  const ColourFill fill_colour(colour, {}, colour_format());
   parallel_for(workers, tile_count(), [&](std::int64_t number, int) {
-    const Tile t = tile(static_cast<int>(number));
-    if (colour_format_ != ColourFormat::rgba32f) {
-      std::fill_n(static_cast<std::uint32_t*>(t.colour), kTilePixels, code);
-      return;
-    }
-    float* plane = static_cast<float*>(t.colour);
-    for (int i = 0; i < kTilePixels / kBlockPixels * 4; ++i, plane += kBlockPixels)
-      std::fill_n(plane, kBlockPixels, channels[i % 4]);
+    const Tile all = tile(static_cast<int>(number));
+    for (int s = 0; s < samples(); ++s) fill_colour(plane_of_sample(all, colour_format(), s).colour, 0, kTilePixels);
   });
 }
 
 void RenderTarget::clear_depth(float depth, Workers& workers) {
-  const std::int32_t code = code_of_depth(depth, depth_format_);
+  const std::int32_t code = code_of_depth(depth, depth_format());
   parallel_for(workers, tile_count(), [&](std::int64_t number, int) {
-    std::fill_n(tile(static_cast<int>(number)).depth, kTilePixels, code);
-  });
-}
-
-template <class Pixel, class Read>
-Image<Pixel> RenderTarget::linearized(Read&& read) const {
-  Image<Pixel> image(width_, height_);
-  for (int y = 0; y < height_; ++y)
-    for (int x = 0; x < width_; ++x)
-      image.at(x, y) = read(y / kTileSize * tiles_per_row_ + x / kTileSize, index_in_tile(x % kTileSize, y % kTileSize));
-  return image;
-}
-
-Image<Rgba8> RenderTarget::colour_image() const {
-  if (colour_format_ == ColourFormat::rgba32f)
-    return linearized<Rgba8>([&](int number, int index) {
-      return rgba_of(codes_of(floats_at(tile_colour(number), index), ColourFormat::rgba8));
-    });
-  return linearized<Rgba8>([&](int number, int index) { return rgba_of(code_at(tile_colour(number), index)); });
-}
-
-Image<Rgba32F> RenderTarget::linear_image() const {
-  if (colour_format_ == ColourFormat::rgba32f)
-    return linearized<Rgba32F>([&](int number, int index) { return floats_at(tile_colour(number), index); });
-  const auto& decode = linear_from_srgb_codes();
-  const bool srgb = colour_format_ == ColourFormat::srgb8;
-  return linearized<Rgba32F>([&](int number, int index) {
-    const Rgba8 c = rgba_of(code_at(tile_colour(number), index));
-    const auto linear = [&](std::uint8_t code) { return srgb ? decode[code] : static_cast<float>(code) / 255.0f; };
-    return Rgba32F{linear(c.r), linear(c.g), linear(c.b), static_cast<float>(c.a) / 255.0f};
-  });
-}
-
-Image<float> RenderTarget::depth_image() const {
-  return linearized<float>([&](int number, int index) {
-    return depth_of_code(depth_[static_cast<std::size_t>(number) * kTilePixels + static_cast<std::size_t>(index)], depth_format_);
-  });
-}
-
-Image<std::int32_t> RenderTarget::depth_codes() const {
-  return linearized<std::int32_t>([&](int number, int index) {
-    return depth_[static_cast<std::size_t>(number) * kTilePixels + static_cast<std::size_t>(index)];
+    std::fill_n(tile(static_cast<int>(number)).depth, kTilePixels * samples(), code);
   });
 }
 

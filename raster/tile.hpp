@@ -1,6 +1,7 @@
 #pragma once
 // What the fragment stages work on: a tile of the render target and the state that governs it.
 
+#include <cstddef>
 #include <cstdint>
 
 #include "raster/blend_state.hpp"
@@ -17,11 +18,25 @@ namespace tuberia {
 /// One tile's pixels; those beyond the target's right and lower edges exist but are never shown.
 struct Tile {
   int left = 0, top = 0;           // pixel of the target, a multiple of kTileSize
-  void* colour = nullptr;          // kTilePixels codes, or per block 64 reds, 64 greens, 64 blues, 64 alphas
+  void* colour = nullptr;          // kTilePixels codes; of floats and halves, per block 64 reds, 64 greens, 64 blues, 64 alphas
   std::int32_t* depth = nullptr;   // kTilePixels codes; floats as their bits: both order as integers
   std::uint8_t* stencil = nullptr; // kTilePixels codes; null when the target has none
   int samples = 1;                 // of a multisampled tile: so many planes of the above, one after the other
 };
+
+constexpr int bytes_per_pixel(ColourFormat format) noexcept {
+  return format == ColourFormat::rgba32f ? 16 : format == ColourFormat::rgba16f ? 8 : 4;
+}
+
+/// The planes of one sample of a tile.
+inline Tile plane_of_sample(const Tile& tile, ColourFormat format, int sample) noexcept {
+  Tile plane = tile;
+  plane.colour = static_cast<std::byte*>(tile.colour) + static_cast<std::ptrdiff_t>(sample) * kTilePixels * bytes_per_pixel(format);
+  plane.depth = tile.depth + static_cast<std::ptrdiff_t>(sample) * kTilePixels;
+  if (tile.stencil != nullptr) plane.stencil = tile.stencil + static_cast<std::ptrdiff_t>(sample) * kTilePixels;
+  plane.samples = 1;
+  return plane;
+}
 
 /// How fragments become pixels: everything after the fragment program.
 struct OutputState {
@@ -45,7 +60,7 @@ struct OutputState {
 constexpr bool is_everyday(const OutputState& s) noexcept {
   return s.samples == 1 && !s.stencil.enabled && s.alpha_test.test == Compare::always && s.fog.mode == FogMode::off &&
          s.blend.mode != BlendMode::function && s.blend.logic == LogicOperation::off && s.blend.mask.all() &&
-         s.colour_format != ColourFormat::rgba16f;
+         s.colour_format != ColourFormat::rgba16f && !s.multisampling.alpha_to_coverage;
 }
 
 /// The triangles of one chunk, ready to be drawn, with the attributes of their vertices.
