@@ -28,6 +28,37 @@ struct FragmentGroup {
   F weight[2];          // barycentric weights of vertices 1 and 2, linear in screen space
 };
 
+/// The weights of a far triangle: planes anchored at the corner of the pixel grid's square that holds
+/// the tile, in double, rounded once.
+struct WeightPlanes {
+  int tile_x = 0, tile_y = 0;  // the tile in its square, pixels
+  float anchor[2] = {}, gradient_x[2] = {}, gradient_y[2] = {};
+
+  HWY_INLINE void begin(const ScreenTriangle& triangle, const Tile& tile) {
+    const int corner_x = tile.left & ~(kAnchorSquarePixels - 1), corner_y = tile.top & ~(kAnchorSquarePixels - 1);
+    tile_x = tile.left - corner_x;
+    tile_y = tile.top - corner_y;
+    const double scale = triangle.weight_scale;
+    for (int i = 0; i < 2; ++i) {
+      const double per_x = triangle.per_x[i + 1], per_y = triangle.per_y[i + 1];
+      const double at_corner = triangle.constant[i + 1] + per_x * corner_x + per_y * corner_y;
+      anchor[i] = static_cast<float>(at_corner * scale + triangle.weight_offset[i]);
+      gradient_x[i] = static_cast<float>(per_x * scale);
+      gradient_y[i] = static_cast<float>(per_y * scale);
+    }
+  }
+
+  /// Columns and rows of the group whose first pixel is (x, y) of the tile, from the square's corner.
+  template <class F>
+  HWY_INLINE F columns(int x) const { return to_float<F>(lane_x() + Int(x + tile_x)); }
+  template <class F>
+  HWY_INLINE F rows(int y) const { return to_float<F>(lane_y() + Int(y + tile_y)); }
+  template <class F>
+  HWY_INLINE void weights(F dx, F dy, F* weight) const {
+    for (int i = 0; i < 2; ++i) weight[i] = mul_add(dy, F(gradient_y[i]), mul_add(dx, F(gradient_x[i]), F(anchor[i])));
+  }
+};
+
 /// Walks the pixels of one triangle in one tile, a block at a time, a group at a time.
 template <class F>
 class TriangleWalk {
@@ -55,15 +86,14 @@ class TriangleWalk {
   template <class Visit>
   HWY_INLINE void for_each_group(Visit& visit) const {
     const bool is_small = right_ - left_ < kSmallPixels && bottom_ - top_ < kSmallPixels;
-    const int size = is_small ? kTileSize : kBlockSize;
-    for (int y = top_ & ~(size - 1); y <= bottom_; y += size)
-      for (int x = left_ & ~(size - 1); x <= right_; x += size) {
-        bool inside = false;
-        if (!is_small && is_outside(x, y, inside)) continue;
-        const PixelRect part{std::max(x, left_), std::max(y, top_), std::min(x + size - 1, right_),
-                             std::min(y + size - 1, bottom_)};
-        walk(part, inside, visit);
-      }
+    walk_squares(is_small ? kTileSize : kBlockSize, is_small, visit);
+  }
+
+  /// The same block by block whatever the size, so that a block's groups come together and the
+  /// blocks in the order of memory.
+  template <class Visit>
+  HWY_INLINE void for_each_group_of_blocks(Visit& visit) const {
+    walk_squares(kBlockSize, false, visit);
   }
 
  private:
@@ -97,18 +127,7 @@ class TriangleWalk {
       at_tile_[i] = inside ? 0 : static_cast<std::int32_t>(at_tile);
     }
 
-    // Weights are planes anchored at the corner of the pixel grid's square: in double, rounded once.
-    const int corner_x = tile.left & ~(kAnchorSquarePixels - 1), corner_y = tile.top & ~(kAnchorSquarePixels - 1);
-    tile_in_square_x_ = tile.left - corner_x;
-    tile_in_square_y_ = tile.top - corner_y;
-    const double scale = triangle.weight_scale;
-    for (int i = 0; i < 2; ++i) {
-      const double per_x = triangle.per_x[i + 1], per_y = triangle.per_y[i + 1];
-      const double at_corner = triangle.constant[i + 1] + per_x * corner_x + per_y * corner_y;
-      anchor_[i] = static_cast<float>(at_corner * scale + triangle.weight_offset[i]);
-      gradient_x_[i] = static_cast<float>(per_x * scale);
-      gradient_y_[i] = static_cast<float>(per_y * scale);
-    }
+    planes_.begin(triangle, tile);
     return true;
   }
 
@@ -122,6 +141,18 @@ class TriangleWalk {
       inside &= at_block + kSpan * (std::min(0, per_x_[i]) + std::min(0, per_y_[i])) >= 0;
     }
     return false;
+  }
+
+  template <class Visit>
+  HWY_INLINE void walk_squares(int size, bool is_small, Visit& visit) const {
+    for (int y = top_ & ~(size - 1); y <= bottom_; y += size)
+      for (int x = left_ & ~(size - 1); x <= right_; x += size) {
+        bool inside = false;
+        if (!is_small && is_outside(x, y, inside)) continue;
+        const PixelRect part{std::max(x, left_), std::max(y, top_), std::min(x + size - 1, right_),
+                             std::min(y + size - 1, bottom_)};
+        walk(part, inside, visit);
+      }
   }
 
   /// The groups of a part of the tile (right and bottom inclusive here).
@@ -162,10 +193,7 @@ class TriangleWalk {
       for (int i = 0; i < 2; ++i) group.weight[i] = mul_add(to_float<F>(edge[i + 1]), scale_, offset_[i]);
       return;
     }
-    const F dx = to_float<F>(lane_x() + Int(x + tile_in_square_x_));
-    const F dy = to_float<F>(lane_y() + Int(y + tile_in_square_y_));
-    for (int i = 0; i < 2; ++i)
-      group.weight[i] = mul_add(dy, F(gradient_y_[i]), mul_add(dx, F(gradient_x_[i]), F(anchor_[i])));
+    planes_.weights(planes_.columns<F>(x), planes_.rows<F>(y), group.weight);
   }
 
   // Triangles up to this size rarely hold a whole block, so asking costs more than it saves.
@@ -176,8 +204,7 @@ class TriangleWalk {
   std::int32_t per_x_[3], per_y_[3], at_tile_[3];
   Int edge_lanes_[3];
   F scale_, offset_[2];
-  int tile_in_square_x_ = 0, tile_in_square_y_ = 0;
-  float anchor_[2] = {}, gradient_x_[2] = {}, gradient_y_[2] = {};
+  WeightPlanes planes_;
 };
 
 }  // namespace HWY_NAMESPACE
