@@ -48,6 +48,7 @@ DrawStatistics Pipeline::run(RenderTarget& target, const DrawCall& draw_call, co
   const bool fused = !Tap::kWatches && !draw_call.count_fragments && accepted.is_everyday;
   std::vector<FragmentCounters> counters(fused ? 0 : static_cast<std::size_t>(target.tile_count()));
 
+  blocks_.resize(static_cast<std::size_t>(workers_.thread_count()));
   DrawStatistics statistics;
   const std::int64_t primitives =
       primitive_count(draw_call.state.assembly.topology, static_cast<std::int64_t>(draw_call.mesh.element_count()));
@@ -69,9 +70,9 @@ DrawStatistics Pipeline::run(RenderTarget& target, const DrawCall& draw_call, co
     // Stages 6 to 9, tile by tile; each tile has one owner, who walks the chunks in order, so that
     // every pixel sees its primitives in the order of submission. Everyday draws have the fragment
     // stages fused around the program, others run them one by one.
-    parallel_for(workers, target.tile_count(), [&](std::int64_t number, int) {
+    parallel_for(workers, target.tile_count(), [&](std::int64_t number, int worker) {
       const Tile tile = target.tile(static_cast<int>(number));
-      std::vector<FragmentBlock> blocks;
+      std::vector<FragmentBlock>& blocks = blocks_[static_cast<std::size_t>(worker)];
       for (const auto& chunk : chunks) {
         const auto listed = chunk->tiles.of_tile(static_cast<int>(number));
         if (listed.empty()) continue;

@@ -33,6 +33,8 @@ class Pipeline {
 
   /// Linear colour, and depth in [0, 1].
   void clear(RenderTarget& target, const Rgba32F& colour, float depth = 1);
+  /// What the command says: with a scissor, masks, stencil. On an error the target is untouched.
+  Result<Nothing> clear(RenderTarget& target, const ClearCommand& command) { return target.clear(command, workers_); }
 
   Workers& workers() noexcept { return workers_; }
   const PipelineOptions& options() const noexcept { return options_; }
@@ -44,6 +46,7 @@ class Pipeline {
   PipelineOptions options_;
   Workers workers_;
   std::vector<std::unique_ptr<Chunk>> chunks_;  // kept from draw to draw, for their memory
+  std::vector<std::vector<FragmentBlock>> blocks_;  // the staged loops' scratch memory, one a worker
 };
 
 }  // namespace tuberia

@@ -5,6 +5,7 @@
 #include "pipeline/polygon_modes.hpp"
 #include "pipeline/validate_geometry.hpp"
 #include "pipeline/validate_mesh.hpp"
+#include "pipeline/validate_output.hpp"
 
 namespace tuberia {
 
@@ -16,6 +17,7 @@ Result<AcceptedDraw> validate(const DrawCall& draw, const RenderTarget& target, 
   if (auto refusal = check_program(draw)) return *std::move(refusal);
   if (auto refusal = check_viewport(viewport, range)) return *std::move(refusal);
   if (auto refusal = check_geometry(state)) return *std::move(refusal);
+  if (auto refusal = output_refusal(state, target)) return *std::move(refusal);
 
   AcceptedDraw accepted;
   accepted.viewport = viewport;
@@ -34,7 +36,7 @@ Result<AcceptedDraw> validate(const DrawCall& draw, const RenderTarget& target, 
                      .fog = state.fog,
                      .multisampling = state.multisampling,
                      .stipple = state.rasterization.line.stipple.value_or(StipplePattern{})};
-  accepted.output.samples = 1;
+  accepted.output.samples = target.samples();
   accepted.is_everyday = is_everyday(accepted.output) && makes_triangles(state.assembly.topology) && only_fills(state.rasterization);
   return accepted;
 }
