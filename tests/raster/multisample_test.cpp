@@ -34,6 +34,7 @@ struct SampledSet {
     std::vector<float> w(padded, 1.0f);
     std::vector<std::uint32_t> v[5];
     for (auto& array : v) array.resize(triangles.size() + kKernelPadding, 0u);
+    std::vector<std::uint8_t> is_back(triangles.size() + kKernelPadding, 0);
     depths.resize(padded);
     test::Random random(depth_seed);
     for (std::size_t i = 0; i < triangles.size(); ++i)
@@ -43,9 +44,8 @@ struct SampledSet {
         depths[3 * i + k] = random.between(0, 1);
       }
     screen.resize(triangles.size());
-    geometry_kernels(set).set_up({v[0].data(), v[1].data(), v[2].data(), v[3].data(), v[4].data()}, static_cast<int>(triangles.size()),
-                                 {x.data(), y.data(), depths.data()}, w.data(), screen.data());
-    for (ScreenTriangle& t : screen) --t.left, --t.top, ++t.right, ++t.bottom;
+    geometry_kernels(set).set_up({v[0].data(), v[1].data(), v[2].data(), v[3].data(), v[4].data(), is_back.data()}, static_cast<int>(triangles.size()),
+                                 {x.data(), y.data(), depths.data()}, w.data(), 1, screen.data());
   }
 
   /// Calls visit(triangle number, block) for all blocks of a target.
