@@ -3,6 +3,32 @@
 #include <algorithm>
 
 namespace tuberia {
+namespace {
+
+/// Calls fetch(element) for the elements of a range of primitives, in the order of primitive assembly.
+template <class Fetch>
+void fetch_elements(std::int64_t elements, Topology topology, PrimitiveRange range, const Fetch& fetch) {
+  const std::int64_t first = range.first, end = range.first + range.count;
+  const auto fetch_run = [&](std::int64_t from, std::int64_t to) {
+    for (std::int64_t e = from; e < to; ++e) fetch(e);
+  };
+  switch (topology) {
+    case Topology::triangles: return fetch_run(3 * first, 3 * end);
+    case Topology::triangle_strip: return fetch_run(first, end + 2);
+    case Topology::triangle_fan:
+      fetch(0);
+      return fetch_run(first + 1, end + 2);
+    case Topology::lines: return fetch_run(2 * first, 2 * end);
+    case Topology::line_strip: return fetch_run(first, end + 1);
+    case Topology::line_loop:
+      fetch_run(first, std::min(end + 1, elements));
+      if (end == elements) fetch(0);  // the last line goes back to where the first one began
+      return;
+    case Topology::points: return fetch_run(first, end);
+  }
+}
+
+}  // namespace
 
 std::int64_t primitive_count(Topology topology, std::int64_t elements) noexcept {
   switch (topology) {
@@ -20,41 +46,28 @@ std::int64_t primitive_count(Topology topology, std::int64_t elements) noexcept 
 void VertexFetch::operator()(const MeshView& mesh, Topology topology, PrimitiveRange range, VertexBatch& batch,
                              std::vector<std::uint32_t>& slots) {
   cache_.fill({kNothing, 0});
-  batch.source.clear();
   batch.clipped.clear();
-  slots.clear();
+  // As many as there can be, so that the loop need not ask; cut to what came at the end.
+  const std::size_t most = 3 * static_cast<std::size_t>(range.count) + 2;
+  slots.resize(most);
+  batch.source.resize(most);
+  std::uint32_t* next_slot = slots.data();
+  std::uint32_t* const source = batch.source.data();
+  std::uint32_t vertices = 0;
 
+  const std::uint32_t* const indices = mesh.indices.empty() ? nullptr : mesh.indices.data();
   const auto fetch = [&](std::int64_t element) {
-    const auto at = static_cast<std::size_t>(element);
-    const std::uint32_t vertex = mesh.indices.empty() ? static_cast<std::uint32_t>(at) : mesh.indices[at];
+    const std::uint32_t vertex = indices == nullptr ? static_cast<std::uint32_t>(element) : indices[element];
     Entry& entry = cache_[vertex % kEntries];
     if (entry.vertex != vertex) {
-      entry = {vertex, static_cast<std::uint32_t>(batch.source.size())};
-      batch.source.push_back(vertex);
+      entry = {vertex, vertices};
+      source[vertices++] = vertex;
     }
-    slots.push_back(entry.slot);
+    *next_slot++ = entry.slot;
   };
-
-  const std::int64_t first = range.first, end = range.first + range.count;
-  const auto fetch_run = [&](std::int64_t from, std::int64_t to) {
-    for (std::int64_t e = from; e < to; ++e) fetch(e);
-  };
-  switch (topology) {
-    case Topology::triangles: return fetch_run(3 * first, 3 * end);
-    case Topology::triangle_strip: return fetch_run(first, end + 2);
-    case Topology::triangle_fan:
-      fetch(0);
-      return fetch_run(first + 1, end + 2);
-    case Topology::lines: return fetch_run(2 * first, 2 * end);
-    case Topology::line_strip: return fetch_run(first, end + 1);
-    case Topology::line_loop: {
-      const auto elements = static_cast<std::int64_t>(mesh.element_count());
-      fetch_run(first, std::min(end + 1, elements));
-      if (end == elements) fetch(0);  // the last line goes back to where the first one began
-      return;
-    }
-    case Topology::points: return fetch_run(first, end);
-  }
+  fetch_elements(static_cast<std::int64_t>(mesh.element_count()), topology, range, fetch);
+  slots.resize(static_cast<std::size_t>(next_slot - slots.data()));
+  batch.source.resize(vertices);
 }
 
 }  // namespace tuberia
