@@ -32,6 +32,8 @@ struct Canvas {
   DepthFormat depth = DepthFormat::d24;
   Rgba32F background{0, 0, 0, 0};
   float far_depth = 1;
+  bool stencil = false;
+  int samples = 1;
   PipelineOptions options{.threads = 1};
 };
 
@@ -46,7 +48,8 @@ struct Picture {
 class Studio {
  public:
   explicit Studio(const Canvas& canvas)
-      : pipeline_(canvas.options), target_(*RenderTarget::create(canvas.width, canvas.height, canvas.colour, canvas.depth)) {
+      : pipeline_(canvas.options), target_(*RenderTarget::create({.width = canvas.width, .height = canvas.height, .colour = canvas.colour,
+                                                                      .depth = canvas.depth, .stencil = canvas.stencil, .samples = canvas.samples})) {
     pipeline_.clear(target_, canvas.background, canvas.far_depth);
   }
 
