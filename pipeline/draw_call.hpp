@@ -22,20 +22,20 @@ struct ScreenVertex {
 
 /// A mesh by reference; the arrays must outlive the draw. Object space.
 struct MeshView {
-  std::span<const glm::vec3> positions;
+  std::span<const glm::vec3> positions{};
   // Instead of positions: already in clip space (no matrix is applied; programs see x, y, z as the
   // world position), or already snapped to the screen (stages 1, 3 and 4 have nothing to do).
   std::span<const glm::vec4> clip_positions{};
   std::span<const ScreenVertex> screen_positions{};
-  std::span<const glm::vec3> normals;     // all that follow: empty, or one a vertex
-  std::span<const glm::vec2> texcoords;
-  std::span<const glm::vec4> colours;     // linear RGBA
-  std::span<const glm::vec4> custom;
+  std::span<const glm::vec3> normals{};     // all that follow: empty, or one a vertex
+  std::span<const glm::vec2> texcoords{};
+  std::span<const glm::vec4> colours{};     // linear RGBA
+  std::span<const glm::vec4> custom{};
   std::span<const glm::vec4> back_colours{};          // see TransformState::two_sided_colours
   std::array<std::span<const glm::vec4>, kTextureUnits> unit_texcoords{};  // (s, t, r, q); empty: texcoords with r 0, q 1
   std::span<const float> fog_coordinates{};           // empty: clip w, the distance along the view in a perspective
   std::span<const std::uint8_t> edge_flags{};         // 0: the edge that begins at this vertex is not drawn in line or point mode
-  std::span<const std::uint32_t> indices; // empty: the vertices in the order of their arrival
+  std::span<const std::uint32_t> indices{}; // empty: the vertices in the order of their arrival
 
   std::size_t vertex_count() const noexcept {
     return !screen_positions.empty() ? screen_positions.size() : !clip_positions.empty() ? clip_positions.size() : positions.size();
