@@ -9,6 +9,7 @@
 
 #include "raster/simd/blend-inl.hpp"
 #include "raster/simd/half-inl.hpp"
+#include "raster/simd/narrow-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace tuberia {

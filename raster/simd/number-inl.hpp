@@ -166,18 +166,6 @@ HWY_INLINE void store_where(Mask m, V a, T* to) {
   const hn::Rebind<T, FloatTag> d;
   hn::StoreU(hn::IfThenElse(hn::RebindMask(d, m.m), hn::BitCast(d, a.v), hn::LoadU(d, to)), d, to);
 }
-/// One number of 8 or 16 bits a lane: their code, without sign.
-template <class Narrow>
-HWY_INLINE Int load_narrow(const Narrow* from) {
-  return Int(hn::PromoteTo(IntTag{}, hn::LoadU(hn::Rebind<Narrow, IntTag>{}, from)));
-}
-/// The lanes' lowest bits, where the mask says so.
-template <class Narrow>
-HWY_INLINE void store_narrow_where(Mask m, Int a, Narrow* to) {
-  const hn::Rebind<Narrow, IntTag> narrow;
-  const Int kept = select(m, a, load_narrow(to));
-  hn::StoreU(hn::TruncateTo(narrow, hn::BitCast(UintTag{}, kept.v)), narrow, to);
-}
 /// Asks for the cache line of an address that will be wanted soon.
 HWY_INLINE void prefetch(const char* address) { hwy::Prefetch(address); }
 

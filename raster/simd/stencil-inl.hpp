@@ -8,6 +8,7 @@
 #endif
 
 #include "raster/simd/depth-inl.hpp"
+#include "raster/simd/narrow-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace tuberia {
