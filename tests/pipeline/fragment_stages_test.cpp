@@ -2,58 +2,18 @@
 
 #include <map>
 
+#include "pipeline/alpha_test.hpp"
+#include "pipeline/blending.hpp"
+#include "pipeline/depth_test.hpp"
+#include "pipeline/fog.hpp"
+#include "pipeline/fragment_shading.hpp"
+#include "pipeline/rasterization.hpp"
+#include "tests/support/draws.hpp"
 #include "tests/support/every_instruction_set.hpp"
-#include "tests/support/meshes.hpp"
 
 namespace tuberia {
 
 namespace {
-
-/// Of every sample's colour, depth and stencil code.
-std::string digest_of_samples(const RenderTarget& target) {
-  test::Sha256 sha;
-  for (int s = 0; s < target.samples(); ++s) {
-    sha.add(std::as_bytes(target.sample_linear_image(s).pixels()));
-    sha.add(std::as_bytes(target.sample_depth_codes(s).pixels()));
-    sha.add(std::as_bytes(target.sample_stencil_codes(s).pixels()));
-  }
-  return sha.hex();
-}
-
-struct NamedDraw {
-  const char* name;
-  test::Mesh mesh;
-  FragmentProgram program;
-  PipelineState state;
-};
-
-PipelineState seen_from(glm::dvec3 eye) {
-  PipelineState state;
-  state.transform.clip_from_world = test::clip_from_world(eye, 1.3);
-  return state;
-}
-
-/// What the fused tile loops can draw, a bit of everything.
-std::vector<NamedDraw> everyday_draws() {
-  const PipelineState plain = seen_from({1.5, 1.25, 2.5});
-  PipelineState lit = plain, over = plain, added = plain, untested = plain, depth_only = plain;
-  lit.transform.vertex_lighting = Lighting{.specular = glm::vec3(0.4f), .eye = {1.5f, 1.25f, 2.5f}};
-  over.blend.mode = BlendMode::source_over;
-  over.rasterization.scissor = PixelRect{5, 3, 88, 61};
-  added.blend.mode = BlendMode::additive;
-  added.depth.test = Compare::less_equal;
-  untested.depth = kDepthOff;
-  depth_only.blend.write = false;
-  const Image<Rgba8> holes = test::checkerboard(32, 4, {200, 30, 60, 255}, {0, 0, 0, 0});
-  const TexturedUniforms texture{.texture = test::texture_of(holes, TextureEncoding::srgb), .sampler = {}, .alpha_cutoff = 0.5f};
-  const test::Mesh floor = test::rectangle({-9, -1, -9}, {0, 0, 18}, {18, 0, 0}, {0, 1, 0}, 7);
-  return {{"depth only", test::rectangle({-1, -1, 0.5f}, {2, 0, 0}, {0, 2, 0}, {0, 0, 1}), flat(), depth_only},
-          {"cut out", floor, textured(texture, true), plain},
-          {"gouraud", test::sphere(12), gouraud(), lit},
-          {"phong, added", test::sphere(9), phong({}), added},
-          {"flat, over", test::sphere(7), flat(), over},
-          {"textured, untested", floor, textured(texture), untested}};
-}
 
 /// Counts the calls of each stage.
 struct CountingObserver : Observer {
@@ -79,7 +39,7 @@ TEST_CASE("fragment stages: watched and counted draws leave the bits of fused on
         const test::Canvas canvas{.width = 101, .height = 77, .colour = format, .depth = depth, .background = {0.2f, 0.3f, 0.1f, 1},
                                   .options = {.threads = 2, .instruction_set = set, .precision = precision}};
         test::Studio fused(canvas), counted(canvas), watched(canvas);
-        for (const NamedDraw& one : everyday_draws()) {
+        for (const test::NamedDraw& one : test::everyday_draws()) {
           INFO(one.name << ", formats " << static_cast<int>(format) << " and " << static_cast<int>(depth));
           const std::string before = fused.digest();
           DrawCall call{.mesh = one.mesh.view(), .program = one.program, .state = one.state};
@@ -132,7 +92,7 @@ TEST_CASE("fragment stages: what is counted is what is there", "[pipeline][exact
 }
 
 TEST_CASE("fragment stages: counts of any scene are the same on every machine, and those of its pixels", "[pipeline][exact]") {
-  const NamedDraw ball = everyday_draws()[2];
+  const test::NamedDraw ball = test::everyday_draws()[2];
   std::int64_t passed = -1;
   test::for_every_instruction_set([&](InstructionSet set) {
     for (const int threads : {1, 3}) {
@@ -170,39 +130,15 @@ TEST_CASE("fragment stages: where samples are all covered, the resolved picture 
 
 namespace {
 
-/// State that only the staged loops know, all of it in use somewhere.
-std::vector<NamedDraw> staged_draws(bool logic) {
-  std::vector<NamedDraw> draws = everyday_draws();
-  for (std::size_t i = 0; i < draws.size(); ++i) {
-    PipelineState& state = draws[i].state;
-    const auto pick = [&](std::size_t n, std::size_t step) { return (i * step + 3) % n; };
-    state.stencil.enabled = true;
-    state.stencil.front = {.test = i % 2 == 0 ? Compare::always : Compare::not_equal, .reference = static_cast<std::uint8_t>(i), .read_mask = 0x0f,
-                           .write_mask = 0x3f, .fail = StencilOperation::invert, .depth_fail = StencilOperation::increment_wrap,
-                           .pass = static_cast<StencilOperation>(pick(8, 3))};
-    state.stencil.back = state.stencil.front;
-    state.blend.mode = BlendMode::function;
-    state.blend.colour = {static_cast<BlendFactor>(pick(15, 4)), static_cast<BlendFactor>(pick(15, 7)), static_cast<BlendEquation>(pick(5, 1))};
-    state.blend.alpha = {BlendFactor::one, BlendFactor::one_minus_source_alpha, BlendEquation::add};
-    state.blend.constant = {0.5f, 0.25f, 0.75f, 0.5f};
-    state.blend.mask = {true, i != 3, true, i != 4};
-    state.alpha_test = {Compare::greater, 0.125f};
-    state.multisampling.alpha_to_coverage = i == 1;
-    state.fog = {.mode = static_cast<FogMode>(pick(4, 1)), .colour = {0.5f, 0.6f, 0.7f, 1}, .density = 0.2f, .start = 1, .end = 9};
-    if (logic && i >= 3) state.blend.logic = static_cast<LogicOperation>(1 + pick(16, 5));
-  }
-  return draws;
-}
-
 std::string digest_of_staged(ColourFormat format, int samples, int threads, InstructionSet set) {
   Pipeline pipeline({.threads = threads, .instruction_set = set});
   RenderTarget target = *RenderTarget::create({.width = 133, .height = 90, .colour = format, .stencil = true, .samples = samples});
   pipeline.clear(target, {0.2f, 0.3f, 0.4f, 1});
-  for (const NamedDraw& one : staged_draws(format == ColourFormat::rgba8)) {
+  for (const test::NamedDraw& one : test::staged_draws(format == ColourFormat::rgba8)) {
     const auto drawn = pipeline.draw(target, {.mesh = one.mesh.view(), .program = one.program, .state = one.state});
     if (!drawn) FAIL(one.name << " was refused: " << drawn.error().message);
   }
-  return digest_of_samples(target);
+  return test::digest_of_samples(target);
 }
 
 }  // namespace
@@ -218,6 +154,89 @@ TEST_CASE("fragment stages: threads and instruction sets agree on every state", 
           CHECK(digest_of_staged(format, samples, threads, set) == expected);
         }
     }
+}
+
+namespace {
+
+/// Draws what comes out of set-up once more, into a target of its own, with the stages' own objects.
+class LecturingObserver : public Observer {
+ public:
+  LecturingObserver(RenderTarget& target, const PipelineOptions& options) : target_(target), options_(options) {}
+  void begin(const DrawCall& draw, const AcceptedDraw& accepted) override { draw_ = &draw, output_ = accepted.output; }
+  void after(Stage stage, const Chunk& chunk) override {
+    if (stage != Stage::set_up) return;
+    const auto [set, precision] = std::pair{options_.instruction_set, options_.precision};
+    const Rasterization rasterization(output_.clip, set, precision);
+    const FragmentShading shading(draw_->program, draw_->state.rasterization.flat_shading, set, precision);
+    const Fog fog(output_, set, precision);
+    const AlphaTesting alpha_test(output_, set, precision);
+    const DepthTest depth_test(output_, set, precision);
+    const Blending blending(output_, set, precision);
+    for (const ScreenTriangle& triangle : chunk.screen_triangles)
+      for (FragmentBlock& block : rasterization.blocks(triangle, target_)) {
+        shading(chunk.view(), block);
+        fog(chunk.view(), block);
+        alpha_test(block);
+        depth_test(block, target_);
+        blending(block, target_);
+      }
+  }
+
+ private:
+  RenderTarget& target_;
+  PipelineOptions options_;
+  const DrawCall* draw_ = nullptr;
+  OutputState output_;
+};
+
+}  // namespace
+
+TEST_CASE("fragment stages: each object alone, one after the other, leaves the bits of a draw", "[pipeline][exact]") {
+  for (const ColourFormat format : {ColourFormat::rgba8, ColourFormat::rgba16f})
+    for (const int samples : {1, 8})
+      test::for_every_machine([&](InstructionSet set, Precision precision) {
+        INFO("format " << static_cast<int>(format) << ", samples " << samples);
+        Pipeline pipeline({.threads = 1, .instruction_set = set, .precision = precision});
+        const RenderTargetDescription description{.width = 101, .height = 77, .colour = format, .stencil = true, .samples = samples};
+        RenderTarget drawn = *RenderTarget::create(description), lectured = *RenderTarget::create(description);
+        LecturingObserver observer(lectured, pipeline.options());
+        for (const test::NamedDraw& one : test::staged_draws(format == ColourFormat::rgba8))
+          REQUIRE(pipeline.draw(drawn, {.mesh = one.mesh.view(), .program = one.program, .state = one.state}, observer).ok());
+        CHECK(test::digest_of_samples(lectured) == test::digest_of_samples(drawn));
+        CHECK(test::digest_of_samples(drawn) != test::digest_of_samples(*RenderTarget::create(description)));
+      });
+}
+
+TEST_CASE("fragment stages: alpha decides about the only sample, too", "[pipeline][exact]") {
+  for (const float alpha : {0.25f, 0.75f}) {
+    const test::Mesh mesh = test::rectangle({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 1}, 1, {1, 1, 1, alpha});
+    PipelineState state;
+    state.multisampling.alpha_to_coverage = true;
+    const test::Picture picture = test::render(mesh, gouraud(), state, {.width = 20, .height = 10});
+    CHECK(test::pixels_drawn(picture.colour) == (alpha < 0.5f ? 0 : 200));
+  }
+}
+
+TEST_CASE("fragment stages: a stencil mask keeps what is drawn later inside", "[pipeline][exact]") {
+  test::for_every_instruction_set([](InstructionSet set) {
+    Pipeline pipeline({.threads = 2, .instruction_set = set});
+    RenderTarget target = *RenderTarget::create({.width = 90, .height = 70, .stencil = true});
+    const test::Mesh ball = test::sphere(10), all = test::rectangle({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 1});
+    PipelineState mark = test::seen_from({0, 0.5, 3}), fill;
+    mark.blend.write = false;
+    mark.depth = fill.depth = kDepthOff;
+    mark.stencil = {.enabled = true, .front = {.reference = 5, .pass = StencilOperation::replace}, .back = {.reference = 5, .pass = StencilOperation::replace}};
+    fill.stencil = {.enabled = true, .front = {.test = Compare::equal, .reference = 5}, .back = {.test = Compare::equal, .reference = 5}};
+    REQUIRE(pipeline.draw(target, {.mesh = ball.view(), .program = flat(), .state = mark}).ok());
+    REQUIRE(pipeline.draw(target, {.mesh = all.view(), .program = flat(), .state = fill}).ok());
+    test::Studio plain({.width = 90, .height = 70});
+    plain.draw(ball.view(), flat(), test::seen_from({0, 0.5, 3}));
+    const Image<Rgba8> inside = target.colour_image(), outline = plain.picture().colour;
+    CHECK(test::pixels_drawn(inside) > 500);
+    for (int y = 0; y < 70; ++y)
+      for (int x = 0; x < 90; ++x)
+        if ((inside.at(x, y).a == 0) != (outline.at(x, y).a == 0)) FAIL("pixel (" << x << ", " << y << ")");
+  });
 }
 
 }  // namespace tuberia
