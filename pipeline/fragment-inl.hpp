@@ -87,6 +87,19 @@ class Fragment {
   HWY_INLINE Vec4<F> sample(const Texture& texture, const Sampler& sampler, Vec2<F> uv) const {
     return HWY_NAMESPACE::sample(texture, sampler, uv, live_);
   }
+  /// The same of a one-dimensional texture.
+  HWY_INLINE Vec4<F> sample(const Texture& texture, const Sampler& sampler, F s) const {
+    return HWY_NAMESPACE::sample(texture, sampler, Vec3<F>(s, F(0.0f), F(0.0f)), F(0.0f), live_);
+  }
+  /// The same at (s, t, r) of a box, or in the direction (x, y, z) of a cube map. Depth textures of one or
+  /// two dimensions compare their texels with r.
+  HWY_INLINE Vec4<F> sample(const Texture& texture, const Sampler& sampler, Vec3<F> at) const {
+    return HWY_NAMESPACE::sample(texture, sampler, at, at.z, live_);
+  }
+  /// The same, where a depth texture's texels are compared with a reference.
+  HWY_INLINE Vec4<F> sample(const Texture& texture, const Sampler& sampler, Vec3<F> at, F reference) const {
+    return HWY_NAMESPACE::sample(texture, sampler, at, reference, live_);
+  }
 
   /// Drops fragments: they change neither colour nor depth. Only for programs with may_discard.
   HWY_INLINE void discard(Mask dropped) {

@@ -1,5 +1,6 @@
-// Texture sampling as a fragment program calls it. The work is in texture_kernels.cpp, compiled once
-// and not once a program: inlined, it is most of a program's code and takes most of its build.
+// Texture sampling as a fragment program calls it. The work is in texture_kernels.cpp and
+// texture_kinds_kernels.cpp, compiled once and not once a program: inlined, it is most of a program's
+// code and takes most of its build.
 
 #if defined(TUBERIA_RASTER_SIMD_TEXTURE_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef TUBERIA_RASTER_SIMD_TEXTURE_INL
@@ -21,8 +22,18 @@ namespace HWY_NAMESPACE {
 template <Precision P>
 void sample_lanes(const Texture& texture, const Sampler& sampler, const float* uv, std::uint32_t live, float* rgba);
 
+/// The same for any kind of texture and sampler. at: kLanes each of s, t, r and the reference.
+/// Defined in texture_kinds_kernels.cpp for both precisions.
+template <Precision P>
+void sample_any_lanes(const Texture& texture, const Sampler& sampler, const float* at, std::uint32_t live, float* rgba);
+
+/// What sample_lanes can do by itself.
+HWY_INLINE bool is_everyday(const Texture& texture, const Sampler& sampler) {
+  return texture.is_rectangle_of_codes() && !(sampler.max_anisotropy > 1);
+}
+
 /// The texture's colour at uv. Lanes that are not live still lend their coordinates to the quad's
-/// derivatives; their own result means nothing.
+/// derivatives; their own result means nothing. Of a box the slice r = 0 is read.
 template <Precision P>
 HWY_INLINE Vec4<Float<P>> sample(const Texture& texture, const Sampler& sampler, Vec2<Float<P>> uv, Mask live) {
   using F = Float<P>;
@@ -30,6 +41,20 @@ HWY_INLINE Vec4<Float<P>> sample(const Texture& texture, const Sampler& sampler,
   store(uv.x, coordinates);
   store(uv.y, coordinates + kLanes);
   sample_lanes<P>(texture, sampler, coordinates, bits_of(live), rgba);
+  return {load<F>(rgba), load<F>(rgba + kLanes), load<F>(rgba + 2 * kLanes), load<F>(rgba + 3 * kLanes)};
+}
+
+/// The same at (s, t, r) of any texture, or in the direction (x, y, z) of a cube map; `reference` is
+/// what the texels of a depth texture are compared with.
+template <Precision P>
+HWY_INLINE Vec4<Float<P>> sample(const Texture& texture, const Sampler& sampler, Vec3<Float<P>> at, Float<P> reference, Mask live) {
+  using F = Float<P>;
+  alignas(64) float coordinates[4 * kLanes], rgba[4 * kLanes];
+  store(at.x, coordinates);
+  store(at.y, coordinates + kLanes);
+  store(at.z, coordinates + 2 * kLanes);
+  store(reference, coordinates + 3 * kLanes);
+  sample_any_lanes<P>(texture, sampler, coordinates, bits_of(live), rgba);
   return {load<F>(rgba), load<F>(rgba + kLanes), load<F>(rgba + 2 * kLanes), load<F>(rgba + 3 * kLanes)};
 }
 

@@ -1,65 +1,18 @@
-// Texture sampling: coordinates to texels, filtering inside and between mipmap levels.
+// Texture sampling where it matters most, rectangles of 8-bit codes: coordinates to texels, filtering
+// inside and between mipmap levels. All the rest is in texture_kinds_kernels.cpp.
 
-#include <bit>
-
-#include "math/colour.hpp"
 #include "raster/texture.hpp"
 
 #undef TUBERIA_KERNEL_FILE
 #define TUBERIA_KERNEL_FILE "raster/simd/texture_kernels.cpp"
 #include "raster/simd/every_instruction_set.hpp"
 
-#include "raster/simd/elementary-inl.hpp"
+#include "raster/simd/texel-inl.hpp"
 #include "raster/simd/texture-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace tuberia {
 namespace HWY_NAMESPACE {
-
-/// Into the texture's own [0, 1], before scaling, so that no float can address outside: numbers
-/// that are not finite land somewhere in it. For `border`, into [-1, 2].                          [rules T2]
-template <class F>
-HWY_INLINE F reduce_coordinate(F u, Wrap wrap) {
-  switch (wrap) {
-    case Wrap::repeat: return saturate(u - floor(u));
-    case Wrap::mirror: {
-      const F half = u * 0.5f;
-      const F period = saturate(half - floor(half)) * 2.0f;  // [0, 2]
-      return min(period, 2.0f - period);
-    }
-    case Wrap::clamp: return saturate(u);
-    case Wrap::border: break;
-  }
-  return min(select(u > -1.0f, u, F(-1.0f)), F(2.0f));
-}
-
-/// The index of a texel's neighbour across the texture's end: 0 <= result < size, except that
-/// `border` keeps what lies outside.
-HWY_INLINE Int wrap_index(Int i, int size, Wrap wrap) {
-  if (wrap == Wrap::border) return i;
-  const Int last(size - 1);
-  if (wrap == Wrap::repeat) return select(i < Int(0), last, select(i > last, Int(0), i));
-  return max(min(i, last), Int(0));
-}
-
-/// Channels of four texels' codes, 0..255, or linear intensities when the codes are sRGB.
-template <class F>
-HWY_INLINE Vec4<F> channels(Int codes, TextureEncoding encoding) {
-  const Int byte(0xff);
-  const Int r = codes & byte, g = shift_right<8>(codes) & byte, b = shift_right<16>(codes) & byte;
-  const F alpha = to_float<F>(shift_right<24>(codes));
-  if (encoding == TextureEncoding::linear) return {to_float<F>(r), to_float<F>(g), to_float<F>(b), alpha};
-  const float* decode = linear_from_srgb_codes().data();
-  return {gather<F>(decode, r), gather<F>(decode, g), gather<F>(decode, b), alpha};
-}
-
-/// Codes to intensities; sRGB codes have already become intensities.
-template <class F>
-HWY_INLINE Vec4<F> intensities(Vec4<F> c, TextureEncoding encoding) {
-  const F unit(1.0f / 255.0f);
-  if (encoding == TextureEncoding::srgb) return {c.x, c.y, c.z, c.w * unit};
-  return c * unit;
-}
 
 template <class F>
 HWY_INLINE Vec4<F> texels_at(const Texture& texture, const TextureLevel& level, Int x, Int y) {
@@ -112,25 +65,6 @@ HWY_NOINLINE Vec4<F> sample_level(const Texture& texture, int level_index, const
   return intensities(mix(upper, lower, weight_y), texture.encoding());
 }
 
-/// Each lane from its own level: a round for every level that occurs among the live lanes, which
-/// are one or two nearly always.
-template <class F>
-HWY_INLINE Vec4<F> sample_levels(const Texture& texture, Int levels, const Sampler& sampler, const Vec2<F>& uv, Mask live) {
-  alignas(64) std::int32_t level_of_lane[kLanes];
-  store(levels, level_of_lane);
-  Vec4<F> result{F(0.0f), F(0.0f), F(0.0f), F(0.0f)};
-  Mask to_do = live;
-  while (any(to_do)) {
-    const int level = level_of_lane[std::countr_zero(bits_of(to_do))];
-    const Mask here = levels == Int(level);
-    const Vec4<F> colour = sample_level(texture, level, sampler, uv);
-    result = {select(here, colour.x, result.x), select(here, colour.y, result.y),
-              select(here, colour.z, result.z), select(here, colour.w, result.w)};
-    to_do = to_do & !here;
-  }
-  return result;
-}
-
 /// log2 of the texels of the base level that one pixel step crosses, the larger of the two
 /// directions; one for each quad, from its upper left pixel.                         [rules T3]
 template <class F>
@@ -144,30 +78,18 @@ HWY_INLINE F level_of_detail(const Texture& texture, Vec2<F> uv) {
 
 template <class F>
 HWY_INLINE Vec4<F> filtered(const Texture& texture, const Sampler& sampler, const Vec2<F>& uv, Mask live) {
-  const int last = texture.level_count() - 1;
-  if (sampler.mipmaps == MipmapFilter::none || last == 0) return sample_level(texture, 0, sampler, uv);
-
-  const F unbounded = level_of_detail(texture, uv) + sampler.lod_bias;
-  const F lod = min(select(unbounded > 0.0f, unbounded, F(0.0f)), F(static_cast<float>(last)));
-  if (sampler.mipmaps == MipmapFilter::nearest) {
-    // ceil(lod + 1/2) - 1, without ceil: halfway cases take the finer level.
-    const Int level = truncate_to_int(-floor(-(lod + 0.5f)) - 1.0f);
-    return sample_levels(texture, level, sampler, uv, live);
-  }
-  const F fine = floor(lod);
-  const F weight = lod - fine;
-  const Int fine_level = truncate_to_int(fine);
-  const Vec4<F> finer = sample_levels(texture, fine_level, sampler, uv, live);
-  if (none((weight > 0.0f) & live)) return finer;
-  const Vec4<F> coarser = sample_levels(texture, min(fine_level + Int(1), Int(last)), sampler, uv, live);
-  return mix(finer, coarser, weight);
+  if (sampler.mipmaps == MipmapFilter::none || texture.level_count() == 1) return sample_level(texture, 0, sampler, uv);
+  return mix_levels(texture, sampler, level_of_detail(texture, uv), live,
+                    [&](int level) HWY_ATTR { return sample_level(texture, level, sampler, uv); });
 }
 
 template <Precision P>
 void sample_lanes(const Texture& texture, const Sampler& sampler, const float* uv, std::uint32_t live, float* rgba) {
   using F = Float<P>;
   const Vec2<F> coordinates{load<F>(uv), load<F>(uv + kLanes)};
-  const Vec4<F> colour = filtered(texture, sampler, coordinates, mask_of(live));
+  const Vec4<F> colour = is_everyday(texture, sampler)
+                             ? filtered(texture, sampler, coordinates, mask_of(live))
+                             : sample(texture, sampler, {coordinates.x, coordinates.y, F(0.0f)}, F(0.0f), mask_of(live));
   store(colour.x, rgba);
   store(colour.y, rgba + kLanes);
   store(colour.z, rgba + 2 * kLanes);

@@ -39,19 +39,26 @@ struct ArrayKernels {
       store(unit.z, out_z + i);
     }
   }
+  static void store_colours(const Vec4<F>& colour, Rgba32F* out) {
+    float channels[4][kLanes];
+    store(colour.x, channels[0]);
+    store(colour.y, channels[1]);
+    store(colour.z, channels[2]);
+    store(colour.w, channels[3]);
+    for (int lane = 0; lane < kLanes; ++lane) out[lane] = {channels[0][lane], channels[1][lane], channels[2][lane], channels[3][lane]};
+  }
   static void sample_of(const Texture& texture, const Sampler& sampler, const float* u, const float* v, int count, Rgba32F* out) {
-    float colours[4][kLanes];
+    for (int i = 0; i < count; i += kLanes)
+      store_colours(sample(texture, sampler, Vec2<F>{load<F>(u + i), load<F>(v + i)}, all_lanes()), out + i);
+  }
+  static void sample_any_of(const Texture& texture, const Sampler& sampler, const float* const strq[4], int count, Rgba32F* out) {
     for (int i = 0; i < count; i += kLanes) {
-      const Vec4<F> colour = sample(texture, sampler, Vec2<F>{load<F>(u + i), load<F>(v + i)}, all_lanes());
-      store(colour.x, colours[0]);
-      store(colour.y, colours[1]);
-      store(colour.z, colours[2]);
-      store(colour.w, colours[3]);
-      for (int lane = 0; lane < kLanes; ++lane) out[i + lane] = {colours[0][lane], colours[1][lane], colours[2][lane], colours[3][lane]};
+      const Vec3<F> at{load<F>(strq[0] + i), load<F>(strq[1] + i), load<F>(strq[2] + i)};
+      store_colours(sample(texture, sampler, at, load<F>(strq[3] + i), all_lanes()), out + i);
     }
   }
 
-  static constexpr test::SimdKernels kTable{&log2_of, &exp2_of, &pow_of, &reciprocal_of, &inverse_sqrt_of, &normalize_of, &sample_of};
+  static constexpr test::SimdKernels kTable{&log2_of, &exp2_of, &pow_of, &reciprocal_of, &inverse_sqrt_of, &normalize_of, &sample_of, &sample_any_of};
 };
 
 inline const test::SimdKernels& test_kernels(Precision precision) {

@@ -20,6 +20,8 @@ struct SimdKernels {
   void (*normalize)(const float* x, const float* y, const float* z, int count, float* out_x, float* out_y, float* out_z);
   /// Each four neighbours are a quad: upper left, upper right, lower left, lower right.
   void (*sample)(const Texture& texture, const Sampler& sampler, const float* u, const float* v, int count, Rgba32F* out);
+  /// The same with s, t, r and the reference, for any kind of texture.
+  void (*sample_any)(const Texture& texture, const Sampler& sampler, const float* const strq[4], int count, Rgba32F* out);
 };
 
 const SimdKernels& simd_kernels(InstructionSet, Precision);

@@ -1,0 +1,59 @@
+#include "raster/mipmaps.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace tuberia {
+namespace {
+
+/// Which texels of a row of `size` make texel i of the halved row, and with which weights: two
+/// halves of an even row; of an odd row 2m+1 three, sharing the outer ones with the neighbours.
+struct Taps {
+  int first = 0, count = 1;
+  std::array<float, 3> weight{1, 0, 0};
+};
+
+Taps taps_of(int size, int i) {
+  if (size == 1) return {};
+  if (size % 2 == 0) return {.first = 2 * i, .count = 2, .weight = {0.5f, 0.5f, 0}};
+  const int half = size / 2;
+  const float unit = 1.0f / static_cast<float>(size);
+  return {.first = 2 * i, .count = 3,
+          .weight = {static_cast<float>(half - i) * unit, static_cast<float>(half) * unit,
+                     static_cast<float>(i + 1) * unit}};
+}
+
+Rgba32F weighted_mean(const LinearLevel& from, const Taps& columns, const Taps& rows, const Taps& slices) {
+  Rgba32F sum{0, 0, 0, 0};
+  for (int k = 0; k < slices.count; ++k)
+    for (int j = 0; j < rows.count; ++j)
+      for (int i = 0; i < columns.count; ++i) {
+        const auto of = [](const Taps& taps, int n) { return taps.weight[static_cast<std::size_t>(n)]; };
+        const float weight = of(slices, k) * (of(rows, j) * of(columns, i));
+        const std::size_t row = static_cast<std::size_t>(slices.first + k) * static_cast<std::size_t>(from.height) + static_cast<std::size_t>(rows.first + j);
+        const Rgba32F& texel = from.texels[row * static_cast<std::size_t>(from.width) + static_cast<std::size_t>(columns.first + i)];
+        sum.r += weight * texel.r;
+        sum.g += weight * texel.g;
+        sum.b += weight * texel.b;
+        sum.a += weight * texel.a;
+      }
+  return sum;
+}
+
+}  // namespace
+
+LinearLevel halved(const LinearLevel& from, bool halve_slices) {
+  LinearLevel to{.width = std::max(1, from.width / 2), .height = std::max(1, from.height / 2),
+                 .slices = halve_slices ? std::max(1, from.slices / 2) : from.slices, .texels = {}};
+  to.texels.reserve(static_cast<std::size_t>(to.width) * static_cast<std::size_t>(to.height) * static_cast<std::size_t>(to.slices));
+  for (int z = 0; z < to.slices; ++z) {
+    const Taps slices = halve_slices ? taps_of(from.slices, z) : Taps{.first = z};
+    for (int y = 0; y < to.height; ++y) {
+      const Taps rows = taps_of(from.height, y);
+      for (int x = 0; x < to.width; ++x) to.texels.push_back(weighted_mean(from, taps_of(from.width, x), rows, slices));
+    }
+  }
+  return to;
+}
+
+}  // namespace tuberia
