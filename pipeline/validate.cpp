@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "pipeline/polygon_modes.hpp"
+#include "pipeline/texture_coordinates.hpp"
 #include "pipeline/validate_geometry.hpp"
 #include "pipeline/validate_mesh.hpp"
 #include "pipeline/validate_output.hpp"
@@ -15,6 +16,7 @@ Result<AcceptedDraw> validate(const DrawCall& draw, const RenderTarget& target, 
   const DepthRange& range = state.viewport.depth_range;
   if (auto refusal = check_mesh(draw.mesh, workers)) return *std::move(refusal);
   if (auto refusal = check_program(draw)) return *std::move(refusal);
+  if (auto refusal = check_texture_coordinates(draw.mesh, state.transform, draw.program.interface().attributes())) return *std::move(refusal);
   if (auto refusal = check_viewport(viewport, range)) return *std::move(refusal);
   if (auto refusal = check_geometry(state)) return *std::move(refusal);
   if (auto refusal = output_refusal(state, target)) return *std::move(refusal);

@@ -5,6 +5,7 @@
 
 #include "math/transforms.hpp"
 #include "pipeline/clipping.hpp"
+#include "pipeline/texture_coordinates.hpp"
 #include "pipeline/vertex_lighting.hpp"
 
 namespace tuberia {
@@ -181,6 +182,7 @@ void VertexTransform::attributes(const MeshView& mesh, Attributes wanted, const 
   if (contains(wanted, Attributes::texcoord)) copy(mesh.texcoords, glm::vec2(0), used, offset(Attributes::texcoord), batch);
   if (contains(wanted, Attributes::custom)) copy(mesh.custom, glm::vec4(0), used, offset(Attributes::custom), batch);
   if (has_colours) fill_in_colours(state_.vertex_lighting, mesh.colours, world, offset(Attributes::colour), batch);
+  write_texture_coordinates(mesh, state_, wanted, used.slots, used.sources, batch);
   interpolate_clipped(batch, 0);
   if (two_sided) add_back_faces(mesh, world, offset(Attributes::colour), batch);
 }

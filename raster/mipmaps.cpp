@@ -46,11 +46,13 @@ LinearLevel halved(const LinearLevel& from, bool halve_slices) {
   LinearLevel to{.width = std::max(1, from.width / 2), .height = std::max(1, from.height / 2),
                  .slices = halve_slices ? std::max(1, from.slices / 2) : from.slices, .texels = {}};
   to.texels.reserve(static_cast<std::size_t>(to.width) * static_cast<std::size_t>(to.height) * static_cast<std::size_t>(to.slices));
+  std::vector<Taps> columns(static_cast<std::size_t>(to.width));
+  for (int x = 0; x < to.width; ++x) columns[static_cast<std::size_t>(x)] = taps_of(from.width, x);
   for (int z = 0; z < to.slices; ++z) {
     const Taps slices = halve_slices ? taps_of(from.slices, z) : Taps{.first = z};
     for (int y = 0; y < to.height; ++y) {
       const Taps rows = taps_of(from.height, y);
-      for (int x = 0; x < to.width; ++x) to.texels.push_back(weighted_mean(from, taps_of(from.width, x), rows, slices));
+      for (const Taps& column : columns) to.texels.push_back(weighted_mean(from, column, rows, slices));
     }
   }
   return to;

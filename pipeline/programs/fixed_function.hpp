@@ -44,15 +44,31 @@ struct TextureUnit {
   std::shared_ptr<const Texture> texture;  // null: the unit is off and passes on what came before
   Sampler sampler;
   Combine colour, alpha;                   // by default: texel times what came before
-  Rgba32F constant{0, 0, 0, 0};            // [0, 1]
+  Rgba32F constant{0, 0, 0, 0};            // linear, [0, 1]
 };
+
+/// Both halves of a unit's combination.
+struct CombinePair {
+  Combine colour, alpha;
+  bool operator==(const CombinePair&) const = default;
+};
+
+// The environments of before there were combinations; T texel, P what came before, K the constant.
+CombinePair replace_environment() noexcept;   // T;  alpha T
+CombinePair modulate_environment() noexcept;  // P T;  alpha P T
+CombinePair decal_environment() noexcept;     // T over P by T's alpha;  alpha P
+CombinePair blend_environment() noexcept;     // K T + P (1 - T);  alpha P T
+CombinePair add_environment() noexcept;       // P + T;  alpha P T
 
 struct FixedFunctionUniforms {
   std::array<TextureUnit, kTextureUnits> units;
 };
 
 /// The primary colour is the interpolated vertex colour, clamped to [0, 1]; texture coordinates are
-/// Attributes::unit0.. (see TexCoordUnit), divided by q (cube maps: not divided).
+/// Attributes::unit0.. (see TexCoordUnit), divided by q; a cube map's direction is not divided. Depth
+/// textures are compared with r / q, cube maps of depths with q. The mesh needs coordinates up to the
+/// last unit that is on. Refused: a scale that is not 1, 2 or 4, a constant outside [0, 1], dot3 as the
+/// alpha's function, a sampler that makes no sense.
 FragmentProgram fixed_function(FixedFunctionUniforms uniforms);
 
 }  // namespace tuberia
