@@ -1,0 +1,110 @@
+#include "reference/oracle/screen.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "reference/oracle/polygon.hpp"
+
+namespace tuberia::oracle {
+namespace {
+
+std::int64_t snapped(double pixels) {
+  return static_cast<std::int64_t>(std::clamp(std::nearbyint(256 * pixels), -0x1p23, 0x1p23));
+}
+
+ScreenVertex on_screen(const ClipVertex& v, const Draw& draw, const Viewport& viewport) {
+  const double i = 1 / static_cast<double>(v.w);
+  const double half_width = viewport.width / 2.0, half_height = viewport.height / 2.0;
+  const double n = static_cast<double>(draw.near_depth), f = static_cast<double>(draw.far_depth);
+  const bool symmetric = draw.volume == ClipVolume::minus_w_to_w;
+  const double sz = symmetric ? (f - n) / 2 : f - n, oz = symmetric ? (n + f) / 2 : n;
+  ScreenVertex out;
+  out.x = snapped((static_cast<double>(v.x) * i) * half_width + (viewport.x + half_width));
+  out.y = snapped((static_cast<double>(v.y) * i) * -half_height + (viewport.y + half_height));
+  out.depth = static_cast<float>((static_cast<double>(v.z) * i) * sz + oz);
+  out.w = v.w;
+  out.front = v.front;
+  out.back = v.back;
+  return out;
+}
+
+/// A sum in double in vertex order, rounded to float once.
+Interval weighted(const Corner& corner, const std::vector<ClipVertex>& vertices, Scalars ClipVertex::*face, std::size_t scalar) {
+  double sum = 0;
+  for (std::size_t k = 0; k < vertices.size(); ++k) {
+    const Interval& value = (vertices[k].*face)[scalar];
+    sum = k == 0 ? corner.weight[k] * value.low : sum + corner.weight[k] * value.low;
+  }
+  return static_cast<double>(static_cast<float>(sum));
+}
+
+/// The vertex at a corner: one of the primitive's own, or a new one.
+ClipVertex vertex_at(const Corner& corner, const std::vector<ClipVertex>& vertices, bool has_fog_coordinates) {
+  if (const int own = corner.vertex(); own >= 0) return vertices[static_cast<std::size_t>(own)];
+  ClipVertex made;
+  made.x = static_cast<float>(corner.x);
+  made.y = static_cast<float>(corner.y);
+  made.z = static_cast<float>(corner.z);
+  made.w = static_cast<float>(corner.w);
+  for (std::size_t i = 0; i < kScalars; ++i) {
+    made.front[i] = weighted(corner, vertices, &ClipVertex::front, i);
+    made.back[i] = weighted(corner, vertices, &ClipVertex::back, i);
+  }
+  if (!has_fog_coordinates)
+    made.front[kFogCoordinate] = made.back[kFogCoordinate] = static_cast<double>(made.w);
+  return made;
+}
+
+Polygon screen_polygon(const std::vector<ClipVertex>& vertices, const Draw& draw, const Viewport& viewport,
+                       const std::vector<ClipPlane>& planes) {
+  Polygon polygon;
+  bool was_cut = false;
+  polygon.corners = clipped(vertices, planes, was_cut);
+  for (const Corner& corner : polygon.corners)
+    polygon.vertices.push_back(on_screen(vertex_at(corner, vertices, draw.has_fog_coordinates), draw, viewport));
+  return polygon;
+}
+
+/// A primitive whose vertices have been transformed elsewhere; nothing is clipped.
+Polygon given_polygon(const Primitive& primitive, const std::vector<ClipVertex>& vertices, const Draw& draw) {
+  Polygon polygon;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(primitive.corners); ++k) {
+    const std::size_t element = primitive.vertex[k];
+    const InputVertex& in = draw.vertices[draw.indices.empty() ? element : draw.indices[element]];
+    const ClipVertex& v = vertices[k];
+    polygon.corners.push_back({});
+    polygon.corners.back().weight[k] = 1;
+    polygon.vertices.push_back({in.screen_x, in.screen_y, in.screen_depth, in.position.w, v.front, v.back});
+  }
+  return polygon;
+}
+
+}  // namespace
+
+std::int64_t doubled_area(const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+GeometryResult geometry(const Draw& draw, const Viewport& viewport, DepthFormat depth_format) {
+  const std::vector<ClipVertex> vertices = transformed(draw);
+  const std::vector<ClipPlane> planes = clip_planes(draw, viewport);
+  GeometryResult result;
+  std::int64_t strip_counter = 0;
+  std::uint32_t number = 0;
+  for (const Primitive& primitive : assembled(draw.topology, vertices.size())) {
+    ++result.assembled;
+    std::vector<ClipVertex> own;
+    for (int k = 0; k < primitive.corners; ++k) own.push_back(vertices[primitive.vertex[static_cast<std::size_t>(k)]]);
+    Polygon polygon = draw.space == PositionSpace::screen ? given_polygon(primitive, own, draw)
+                                                          : screen_polygon(own, draw, viewport, planes);
+    polygon.own = own;
+    polygon.number = number++;
+    if (polygon.vertices.empty()) continue;
+    if (primitive.corners == 3) add_polygon(polygon, draw, depth_format, result.primitives);
+    else if (primitive.corners == 2) add_line(polygon, draw.topology == Topology::lines ? nullptr : &strip_counter, result.primitives);
+    else add_point(polygon, result.primitives);
+  }
+  return result;
+}
+
+}  // namespace tuberia::oracle
