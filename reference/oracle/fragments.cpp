@@ -83,6 +83,8 @@ FragmentWeights perspective_weights(const Shape& shape, Weights screen) {
   const Interval one = Interval(w1) * q(b), two = Interval(w2) * q(c);
   const Interval rest = ((Interval(1.0) - Interval(w1)) - Interval(w2)) * q(a);
   const Interval sum = (rest + one) + two;
+  // Where one vertex is 2^126 times as far as another, the divisor falls among the denormals.
+  if (sum.low < 0x1p-126 && sum.high > -0x1p-126) return {unknown(), unknown()};
   return {one / sum, two / sum};
 }
 

@@ -33,7 +33,7 @@ Colour texel(const Texture& texture, const Sampler& sampler, std::int64_t i, std
   Colour colour;
   for (std::size_t c = 0; c < 4; ++c) {
     if (x < 0 || y < 0) {
-      colour[c] = static_cast<double>(sampler.border[static_cast<int>(c)]);
+      colour[c] = widened(static_cast<double>(sampler.border[static_cast<int>(c)]));
       continue;
     }
     const std::size_t at = static_cast<std::size_t>(y) * static_cast<std::size_t>(texture.width) + static_cast<std::size_t>(x);
@@ -64,7 +64,9 @@ Colour bilinear(const Texture& texture, const Sampler& sampler, std::int64_t i, 
   Colour colour;
   for (std::size_t k = 0; k < 4; ++k) {
     const Interval upper = a[k] + (b[k] - a[k]) * fx, lower = c[k] + (d[k] - c[k]) * fx;
-    colour[k] = upper + (lower - upper) * fy;
+    // The documents speak of weights, which need not sum up to 1 to the last digit.
+    const Interval mean = upper + (lower - upper) * fy;
+    colour[k] = mean == Interval(0.0) ? mean : widened(mean, 0x1p-21);
   }
   return colour;
 }

@@ -80,14 +80,20 @@ std::ostream& operator<<(std::ostream& out, const Place& place) {
   return out << "pixel (" << place.x << ", " << place.y << ") sample " << place.sample;
 }
 
+/// Whether bounds leave more than one code, or more of a float than rounding explains.
+bool are_wide(const oracle::Interval& bounds, bool is_float) {
+  if (!is_float) return bounds.low != bounds.high;
+  return !(bounds.high - bounds.low <= 1e-4 * (1 + std::abs(bounds.low)));
+}
+
 void compare_colours(const Place& place, const Stored& pipeline, const oracle::Sample& oracle, const oracle::Sample& cleared,
-                     Tally& tally, std::string& first) {
+                     bool is_float, Tally& tally, std::string& first) {
   for (std::size_t c = 0; c < 4; ++c) {
     const double value = pipeline.colour[c];
     const oracle::Interval& bounds = oracle.colour[c];
     if (bounds == cleared.colour[c] && value == bounds.low) continue;
     ++tally.drawn_channels;
-    if (bounds.low != bounds.high) ++tally.tied_channels;
+    if (are_wide(bounds, is_float)) ++tally.tied_channels;
     if (!bounds.is_known() || (bounds.low <= value && value <= bounds.high)) continue;
     ++tally.colour;
     tell(first, place, " channel ", c, ": pipeline ", value, ", oracle ", bounds.low, " to ", bounds.high);
@@ -95,7 +101,7 @@ void compare_colours(const Place& place, const Stored& pipeline, const oracle::S
 }
 
 void compare_sample(const Place& place, const Stored& pipeline, const oracle::Sample& oracle, const oracle::Sample& cleared,
-                    Tally& tally, std::string& first) {
+                    bool is_float, Tally& tally, std::string& first) {
   ++tally.samples;
   if (oracle.is_uncertain) {
     ++tally.uncertain_samples;
@@ -109,7 +115,7 @@ void compare_sample(const Place& place, const Stored& pipeline, const oracle::Sa
     ++tally.stencil;
     tell(first, place, ": stencil code: pipeline ", int{pipeline.stencil}, ", oracle ", int{oracle.stencil});
   }
-  compare_colours(place, pipeline, oracle, cleared, tally, first);
+  compare_colours(place, pipeline, oracle, cleared, is_float, tally, first);
 }
 
 }  // namespace
@@ -122,7 +128,6 @@ Tally& Tally::operator+=(const Tally& other) {
   drawn_channels += other.drawn_channels;
   tied_channels += other.tied_channels;
   uncertain_samples += other.uncertain_samples;
-  off_by_a_tie += other.off_by_a_tie;
   colour += other.colour;
   depth += other.depth;
   stencil += other.stencil;
@@ -159,10 +164,11 @@ Tally compare(const Scene& scene, Machines& machines, std::string& first) {
     compare_counts(i, *drawn, counts, tally, first);
   }
   const TargetReader reader(target);
+  const bool is_float = !oracle::is_8_bit(scene.target.colour);
   for (int y = 0; y < scene.target.height; ++y)
     for (int x = 0; x < scene.target.width; ++x)
       for (int s = 0; s < scene.target.samples; ++s)
-        compare_sample({x, y, s}, reader.at(x, y, s), oracle_target.at(x, y, s), cleared, tally, first);
+        compare_sample({x, y, s}, reader.at(x, y, s), oracle_target.at(x, y, s), cleared, is_float, tally, first);
   return tally;
 }
 

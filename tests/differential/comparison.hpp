@@ -17,9 +17,8 @@ struct Tally {
   std::int64_t fragments = 0;           // drawn by the oracle
   std::int64_t samples = 0;             // compared, with their colour, depth and stencil
   std::int64_t drawn_channels = 0;      // colour channels of samples that the scene changed
-  std::int64_t tied_channels = 0;       // of these: too near to a tie to be sure of the last digit
+  std::int64_t tied_channels = 0;       // of these: codes too near to a tie, or floats with bounds too far apart
   std::int64_t uncertain_samples = 0;   // a tie decided whether something is drawn there
-  std::int64_t off_by_a_tie = 0;        // tied channels in which the machines took different sides
   std::int64_t colour = 0, depth = 0, stencil = 0, counts = 0, refusals = 0;  // disagreements
 
   std::int64_t disagreements() const { return colour + depth + stencil + counts + refusals; }

@@ -8,7 +8,8 @@ namespace {
 
 bool disagrees(const Scene& scene, Machines& machines) {
   std::string first;
-  return compare(scene, machines, first).disagreements() > 0;
+  const Tally tally = compare(scene, machines, first);
+  return tally.disagreements() > tally.refusals;  // a scene without vertices is refused, which is another matter
 }
 
 /// Keeps a change if the machines still disagree after it.
@@ -175,9 +176,8 @@ std::string described(const Scene& scene) {
 }
 
 std::string explained(const Scene& scene, Machines& machines) {
-  if (!disagrees(scene, machines)) return {};
-  const Scene small = shrunk(scene, machines);
   std::string first;
+  const Scene small = disagrees(scene, machines) ? shrunk(scene, machines) : scene;
   compare(small, machines, first);
   return first + "\n" + described(small);
 }
