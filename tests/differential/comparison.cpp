@@ -9,9 +9,12 @@ namespace tuberia::differential {
 namespace {
 
 RenderTarget target_of(const TargetDescription& t, Pipeline& pipeline) {
-  RenderTarget target = *RenderTarget::create(t.width, t.height, static_cast<ColourFormat>(t.colour), static_cast<DepthFormat>(t.depth));
-  target.clear_colour({t.clear_colour.r, t.clear_colour.g, t.clear_colour.b, t.clear_colour.a}, pipeline.workers());
-  target.clear_depth(t.clear_depth, pipeline.workers());
+  RenderTarget target = *RenderTarget::create({.width = t.width, .height = t.height, .colour = static_cast<ColourFormat>(t.colour),
+                                               .depth = static_cast<DepthFormat>(t.depth), .stencil = t.has_stencil, .samples = t.samples});
+  ClearCommand clear{.colour = Rgba32F{t.clear_colour.r, t.clear_colour.g, t.clear_colour.b, t.clear_colour.a}, .depth = t.clear_depth};
+  if (t.has_stencil) clear.stencil = t.clear_stencil;
+  const Result<Nothing> cleared = target.clear(clear, pipeline.workers());
+  TUBERIA_ASSERT(cleared.ok(), "a clear value was refused");
   return target;
 }
 
@@ -44,37 +47,33 @@ void compare_counts(std::size_t number, const DrawStatistics& pipeline, const or
   check("samples passed", pipeline.samples_passed, oracle.samples_passed);
 }
 
-/// What the pipeline left in one sample.
-struct Stored {
-  std::array<double, 4> colour;
-  std::int32_t depth;
-  std::uint8_t stencil;
-};
+/// What the pipeline left in one sample of each pixel, or in the resolved pixels.
+struct Planes {
+  Image<Rgba8> codes;
+  Image<Rgba32F> floats;
+  Image<std::int32_t> depths;
+  Image<std::uint8_t> stencils;
+  bool is_float = false;
 
-/// Reads the tiles themselves, so that every sample is seen as it is stored.
-class TargetReader {
- public:
-  explicit TargetReader(RenderTarget& target)
-      : colours_(target.colour_image()), linear_(target.linear_image()), depths_(target.depth_codes()),
-        is_float_(target.colour_format() == ColourFormat::rgba32f || target.colour_format() == ColourFormat::rgba16f) {}
-
-  Stored at(int x, int y, int /*sample*/) const {
-    const Rgba8& c = colours_.at(x, y);
-    const Rgba32F& f = linear_.at(x, y);
-    Stored stored{{static_cast<double>(c.r), static_cast<double>(c.g), static_cast<double>(c.b), static_cast<double>(c.a)}, depths_.at(x, y), 0};
-    if (is_float_) stored.colour = {static_cast<double>(f.r), static_cast<double>(f.g), static_cast<double>(f.b), static_cast<double>(f.a)};
-    return stored;
+  std::array<double, 4> colour(int x, int y) const {
+    const Rgba8& c = codes.at(x, y);
+    const Rgba32F& f = floats.at(x, y);
+    if (is_float) return {static_cast<double>(f.r), static_cast<double>(f.g), static_cast<double>(f.b), static_cast<double>(f.a)};
+    return {static_cast<double>(c.r), static_cast<double>(c.g), static_cast<double>(c.b), static_cast<double>(c.a)};
   }
-
- private:
-  Image<Rgba8> colours_;
-  Image<Rgba32F> linear_;
-  Image<std::int32_t> depths_;
-  bool is_float_;
 };
+
+Planes sample_planes(const RenderTarget& target, int sample, bool is_float) {
+  return {target.sample_colour_image(sample), target.sample_linear_image(sample), target.sample_depth_codes(sample),
+          target.sample_stencil_codes(sample), is_float};
+}
+
+Planes resolved_planes(const RenderTarget& target, bool is_float) {
+  return {target.colour_image(), target.linear_image(), target.depth_codes(), target.stencil_codes(), is_float};
+}
 
 struct Place {
-  int x, y, sample;
+  int x, y, sample;  // -1: the resolved pixel
 };
 std::ostream& operator<<(std::ostream& out, const Place& place) {
   return out << "pixel (" << place.x << ", " << place.y << ") sample " << place.sample;
@@ -86,36 +85,54 @@ bool are_wide(const oracle::Interval& bounds, bool is_float) {
   return !(bounds.high - bounds.low <= 1e-4 * (1 + std::abs(bounds.low)));
 }
 
-void compare_colours(const Place& place, const Stored& pipeline, const oracle::Sample& oracle, const oracle::Sample& cleared,
-                     bool is_float, Tally& tally, std::string& first) {
+void compare_colours(const Place& place, const Planes& pipeline, const oracle::Sample& oracle, const oracle::Sample& cleared,
+                     Tally& tally, std::string& first) {
+  const std::array<double, 4> colour = pipeline.colour(place.x, place.y);
   for (std::size_t c = 0; c < 4; ++c) {
-    const double value = pipeline.colour[c];
+    const double value = colour[c];
     const oracle::Interval& bounds = oracle.colour[c];
     if (bounds == cleared.colour[c] && value == bounds.low) continue;
     ++tally.drawn_channels;
-    if (are_wide(bounds, is_float)) ++tally.tied_channels;
+    if (are_wide(bounds, pipeline.is_float)) ++tally.tied_channels;
     if (!bounds.is_known() || (bounds.low <= value && value <= bounds.high)) continue;
     ++tally.colour;
     tell(first, place, " channel ", c, ": pipeline ", value, ", oracle ", bounds.low, " to ", bounds.high);
   }
 }
 
-void compare_sample(const Place& place, const Stored& pipeline, const oracle::Sample& oracle, const oracle::Sample& cleared,
-                    bool is_float, Tally& tally, std::string& first) {
+void compare_sample(const Place& place, const Planes& pipeline, const oracle::Sample& oracle, const oracle::Sample& cleared,
+                    Tally& tally, std::string& first) {
   ++tally.samples;
   if (oracle.is_uncertain) {
     ++tally.uncertain_samples;
     return;
   }
-  if (pipeline.depth != oracle.depth) {
+  const std::int32_t depth = pipeline.depths.at(place.x, place.y);
+  const std::uint8_t stencil = pipeline.stencils.at(place.x, place.y);
+  if (depth != oracle.depth) {
     ++tally.depth;
-    tell(first, place, ": depth code: pipeline ", pipeline.depth, ", oracle ", oracle.depth);
+    tell(first, place, ": depth code: pipeline ", depth, ", oracle ", oracle.depth);
   }
-  if (pipeline.stencil != oracle.stencil) {
+  if (stencil != oracle.stencil) {
     ++tally.stencil;
-    tell(first, place, ": stencil code: pipeline ", int{pipeline.stencil}, ", oracle ", int{oracle.stencil});
+    tell(first, place, ": stencil code: pipeline ", int{stencil}, ", oracle ", int{oracle.stencil});
   }
-  compare_colours(place, pipeline, oracle, cleared, is_float, tally, first);
+  compare_colours(place, pipeline, oracle, cleared, tally, first);
+}
+
+void compare_targets(const RenderTarget& target, oracle::Target& oracle_target, const oracle::Sample& cleared, Tally& tally, std::string& first) {
+  const bool is_float = !oracle::is_8_bit(oracle_target.colour_format);
+  // The resolved pixels come last, as one sample more.
+  const int planes = target.samples() == 1 ? 1 : target.samples() + 1;
+  for (int s = 0; s < planes; ++s) {
+    const bool is_resolved = s == target.samples();
+    const Planes pipeline = is_resolved ? resolved_planes(target, is_float) : sample_planes(target, s, is_float);
+    for (int y = 0; y < target.height(); ++y)
+      for (int x = 0; x < target.width(); ++x) {
+        const oracle::Sample oracle = is_resolved ? oracle_target.resolved(x, y) : oracle_target.at(x, y, s);
+        compare_sample({x, y, is_resolved ? -1 : s}, pipeline, oracle, cleared, tally, first);
+      }
+  }
 }
 
 }  // namespace
@@ -163,12 +180,7 @@ Tally compare(const Scene& scene, Machines& machines, std::string& first) {
     tally.fragments += counts.fragments;
     compare_counts(i, *drawn, counts, tally, first);
   }
-  const TargetReader reader(target);
-  const bool is_float = !oracle::is_8_bit(scene.target.colour);
-  for (int y = 0; y < scene.target.height; ++y)
-    for (int x = 0; x < scene.target.width; ++x)
-      for (int s = 0; s < scene.target.samples; ++s)
-        compare_sample({x, y, s}, reader.at(x, y, s), oracle_target.at(x, y, s), cleared, is_float, tally, first);
+  compare_targets(target, oracle_target, cleared, tally, first);
   return tally;
 }
 

@@ -83,7 +83,7 @@ void random_program(Dice& dice, Draw& draw) {
     for (int i = 0; i < 4; ++i) draw.fog.colour[i] = dice.between(0, 1);
     draw.fog.density = dice.between(0, 2);
     draw.fog.start = dice.between(-1, 2);
-    draw.fog.end = dice.one_in(10) ? draw.fog.start : dice.between(-1, 4);
+    draw.fog.end = draw.fog.start + (dice.one_in(4) ? dice.between(-3, -0.01f) : dice.between(0.01f, 3));
     draw.has_fog_coordinates = dice.one_in(2);
   }
 }

@@ -30,9 +30,9 @@ class Dice : public test::Random {
 
 /// What the generator may use.
 struct Enabled {
-  bool points_and_lines, polygon_modes, user_planes, polygon_offset, two_sided;
-  bool fog, alpha_test, stencil, blend_function, logic, mask, half_floats, multisampling;
-  bool clip_and_screen_positions;
+  bool points_and_lines = true, polygon_modes = true, user_planes = true, polygon_offset = true, two_sided = true;
+  bool fog = true, alpha_test = true, stencil = true, blend_function = true, logic = true, mask = true;
+  bool half_floats = true, multisampling = true, clip_and_screen_positions = true;
 };
 inline constexpr Enabled kEnabled{};
 
