@@ -78,11 +78,14 @@ void cut_by(const Plane& plane, const ClippedPolygon& from, ClippedPolygon& to) 
   }
 }
 
+/// Whether the corner's w is positive as the float that it will become.
+bool has_w(const ClippedCorner& corner) { return static_cast<float>(corner.position[3]) > 0; }
+
 /// The one point with w = 0 that all planes let pass is (0, 0, 0, 0): it has no place on the
 /// screen, and its two edges project to the two neighbours, so leaving it out changes nothing.
 void drop_corners_without_w(ClippedPolygon& polygon) {
   const auto end = std::remove_if(polygon.corner.begin(), polygon.corner.begin() + polygon.count,
-                                  [](const ClippedCorner& c) { return !(c.position[3] > 0); });
+                                  [](const ClippedCorner& c) { return !has_w(c); });
   polygon.count = static_cast<int>(end - polygon.corner.begin());
 }
 
@@ -226,7 +229,7 @@ ClippedLine clip_line(std::span<const std::array<double, 4>, 2> line, std::uint3
     else if (da < 0) end[0] = cut(plane, end[1], db, end[0], da);
     else end[1] = cut(plane, end[0], da, end[1], db);
   });
-  result.is_empty |= !(end[0].position[3] > 0 && end[1].position[3] > 0);
+  result.is_empty |= !(has_w(end[0]) && has_w(end[1]));
   return result;
 }
 

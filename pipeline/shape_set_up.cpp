@@ -32,8 +32,8 @@ ScreenTriangle record_of(const VertexBatch& vertices, std::uint32_t first, std::
   const double smallest = std::min(w0, w1);
   t.depth = static_cast<float>(z0 + depth_bias);
   t.depth_delta[0] = static_cast<float>(z1 - z0);
-  t.inverse_w[0] = t.inverse_w[2] = static_cast<float>(smallest / w0);
-  t.inverse_w[1] = static_cast<float>(smallest / w1);
+  t.inverse_w[0] = t.inverse_w[2] = static_cast<float>(std::max(smallest / w0, kLeastInverseW));
+  t.inverse_w[1] = static_cast<float>(std::max(smallest / w1, kLeastInverseW));
   t.is_affine = w0 == w1;
   t.is_near = 1;
   t.vertex[0] = t.vertex[2] = static_cast<std::uint16_t>(first);

@@ -25,7 +25,7 @@ struct ScreenTriangle {
   // Depth is linear in screen space: depth + w1 * depth_delta[0] + w2 * depth_delta[1].
   float depth, depth_delta[2];
 
-  float inverse_w[3];               // smallest w / w of each vertex: 1/w up to a common factor
+  float inverse_w[3];               // smallest w / w of each vertex: 1/w up to a common factor; >= kLeastInverseW
 
   std::int16_t left, top, right, bottom;  // centres that may be covered, all inclusive
   std::uint16_t vertex[3];          // slots of the vertices in their chunk
@@ -41,6 +41,9 @@ struct ScreenTriangle {
   std::uint8_t remainder[3];   // of the edge functions, see above: what multisampling starts from
 };
 static_assert(sizeof(ScreenTriangle) == 128, "two cache lines");
+
+/// The least relative 1/w: its reciprocal is still a float, so no quotient of weights overflows.
+inline constexpr double kLeastInverseW = 0x1p-100;
 
 /// |E| <= 2 * span * (span + tile), in units, must stay below 2^39 for e to fit 32 bits:
 /// 2 * (1984*256) * (1984*256 + 64*256) = 5.3e11 < 2^39 = 5.5e11.

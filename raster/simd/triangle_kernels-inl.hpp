@@ -141,7 +141,7 @@ HWY_INLINE void set_up_depth(const TriangleArrays& t, int i, const float* depth,
     z[k] = gather_double(depth, slots[k]);
   }
   const Double smallest = min(min(w[0], w[1]), w[2]);
-  for (int k = 0; k < 3; ++k) store(smallest / w[k], out.inverse_w[k]);
+  for (int k = 0; k < 3; ++k) store(max(smallest / w[k], Double(kLeastInverseW)), out.inverse_w[k]);
   store(z[0], out.depth[0]);
   store(z[1] - z[0], out.depth[1]);
   store(z[2] - z[0], out.depth[2]);

@@ -132,7 +132,7 @@ std::vector<Corner> clipped(const std::vector<ClipVertex>& vertices, const std::
     corners = vertices.size() == 2 ? cut_line(corners, plane) : cut_polygon(corners, plane);
   }
   if (!was_cut) return corners;
-  std::erase_if(corners, [](const Corner& c) { return c.w <= 0; });
+  std::erase_if(corners, [](const Corner& c) { return static_cast<float>(c.w) <= 0; });
   if (corners.size() < vertices.size()) corners.clear();
   return corners;
 }

@@ -79,12 +79,12 @@ FragmentWeights perspective_weights(const Shape& shape, Weights screen) {
   const float a = shape.vertex(0).w, b = shape.vertex(1).w, c = shape.vertex(third).w;
   if (a == b && b == c) return {w1, w2};
   const double least = static_cast<double>(std::min({a, b, c}));
-  const auto q = [&](float w) { return Interval(static_cast<double>(static_cast<float>(least / static_cast<double>(w)))); };
+  const auto q = [&](float w) {
+    return Interval(std::max(static_cast<double>(static_cast<float>(least / static_cast<double>(w))), 0x1p-100));
+  };
   const Interval one = Interval(w1) * q(b), two = Interval(w2) * q(c);
   const Interval rest = ((Interval(1.0) - Interval(w1)) - Interval(w2)) * q(a);
   const Interval sum = (rest + one) + two;
-  // Where one vertex is 2^126 times as far as another, the divisor falls among the denormals.
-  if (sum.low < 0x1p-126 && sum.high > -0x1p-126) return {unknown(), unknown()};
   return {one / sum, two / sum};
 }
 
