@@ -41,6 +41,7 @@ class GeometryStages {
     set_up(chunk);                                                // 6 screen -> what tiles want
     tap.after(Stage::set_up, chunk);
     rasterization_.bin(chunk.screen_triangles, target.tiles_per_row(), target.tile_rows(), chunk.tiles);
+    tap.after(Stage::binning, chunk);
   }
 
   /// How many primitives a chunk of this draw may hold.

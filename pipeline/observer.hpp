@@ -2,6 +2,8 @@
 // Watching a draw: between the stages, on finished batches.
 
 #include <cstdint>
+#include <utility>
+#include <vector>
 
 #include "pipeline/chunk.hpp"
 #include "pipeline/validate.hpp"
@@ -19,6 +21,7 @@ enum class Stage : std::uint8_t {
   culling,             // the primitives that are left
   vertex_attributes,   // chunk.vertices.attributes, of vertices still in use
   set_up,              // chunk.screen_triangles, chunk.shapes
+  binning,             // chunk.tiles
   rasterization,       // a block: live, weight, depth_value
   fragment_shading,    // a block: live, colour (fog included)
   alpha_test,          // a block: live
@@ -39,6 +42,30 @@ class Observer {
   virtual void before(Stage, const Chunk&, const FragmentBlock&, const Tile&) {}
   virtual void after(Stage, const Chunk&, const FragmentBlock&, const Tile&) {}
   virtual void end(const DrawStatistics&) {}
+};
+
+/// Lets several observers watch one draw; they are told in the order of the list.
+class Observers : public Observer {
+ public:
+  explicit Observers(std::vector<Observer*> all) : all_(std::move(all)) {}
+  void begin(const DrawCall& draw, const AcceptedDraw& accepted) override {
+    for (Observer* each : all_) each->begin(draw, accepted);
+  }
+  void after(Stage stage, const Chunk& chunk) override {
+    for (Observer* each : all_) each->after(stage, chunk);
+  }
+  void before(Stage stage, const Chunk& chunk, const FragmentBlock& block, const Tile& tile) override {
+    for (Observer* each : all_) each->before(stage, chunk, block, tile);
+  }
+  void after(Stage stage, const Chunk& chunk, const FragmentBlock& block, const Tile& tile) override {
+    for (Observer* each : all_) each->after(stage, chunk, block, tile);
+  }
+  void end(const DrawStatistics& statistics) override {
+    for (Observer* each : all_) each->end(statistics);
+  }
+
+ private:
+  std::vector<Observer*> all_;
 };
 
 /// What the stages are compiled with when nobody watches: nothing.

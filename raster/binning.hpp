@@ -18,6 +18,7 @@ class TileLists {
   void build(std::span<const ScreenTriangle> triangles, const PixelRect& clip, int tiles_per_row, int tile_rows,
              double reach_pixels = 0);
 
+  int tile_count() const noexcept { return begin_.empty() ? 0 : static_cast<int>(begin_.size()) - 1; }
   std::span<const std::uint16_t> of_tile(int tile) const noexcept {
     const auto i = static_cast<std::size_t>(tile);
     return {entries_.data() + begin_[i], begin_[i + 1] - begin_[i]};

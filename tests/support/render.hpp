@@ -54,11 +54,15 @@ class Studio {
   }
 
   DrawStatistics draw(const MeshView& mesh, const FragmentProgram& program, const PipelineState& state = {}) {
-    const Result<DrawStatistics> drawn = pipeline_.draw(target_, {.mesh = mesh, .program = program, .state = state});
+    const DrawCall call{.mesh = mesh, .program = program, .state = state};
+    const Result<DrawStatistics> drawn = observer_ ? pipeline_.draw(target_, call, *observer_) : pipeline_.draw(target_, call);
     if (!drawn) FAIL("the draw was refused: " << drawn.error().message);
     statistics_ += *drawn;
     return *drawn;
   }
+
+  /// From now on the draws are watched.
+  void watch(Observer& observer) { observer_ = &observer; }
 
   Picture picture() const {
     return {target_.colour_image(), target_.linear_image(), target_.depth_codes(), statistics_};
@@ -80,6 +84,7 @@ class Studio {
   Pipeline pipeline_;
   RenderTarget target_;
   DrawStatistics statistics_;
+  Observer* observer_ = nullptr;
 };
 
 inline Picture render(const Mesh& mesh, const FragmentProgram& program, const PipelineState& state = {},
