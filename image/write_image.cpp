@@ -117,4 +117,6 @@ Result<Nothing> write_image(const std::filesystem::path& path, const Image<float
   return encode_and_write(path, image, ".pfm, .png");
 }
 
+std::vector<std::byte> encode_png(const Image<Rgba8>& image) { return encode(image, ".png"); }
+
 }  // namespace tuberia

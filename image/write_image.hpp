@@ -1,7 +1,9 @@
 #pragma once
 // Images in memory into files, whole or not at all.
 
+#include <cstddef>
 #include <filesystem>
+#include <vector>
 
 #include "base/result.hpp"
 #include "image/image.hpp"
@@ -23,5 +25,8 @@ Result<Nothing> write_image(const std::filesystem::path& path, const Image<Rgba3
 /// 1 white, rounded to the nearest code, values outside [0, 1] clamped, NaN black.
 /// Errors: as above.
 Result<Nothing> write_image(const std::filesystem::path& path, const Image<float>& image);
+
+/// The bytes of a PNG file, for those who keep it elsewhere. The image must not be empty.
+std::vector<std::byte> encode_png(const Image<Rgba8>& image);
 
 }  // namespace tuberia

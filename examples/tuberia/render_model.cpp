@@ -59,7 +59,8 @@ Result<Camera> camera_for(const Model& model, const glm::mat4& world_from_object
   // The window follows the distance; near and far keep the model between them.
   const double distance = glm::length(camera->eye - camera->point_of_interest);
   const double reach = glm::length(camera->point_of_interest - frame.centre) + frame.radius;
-  const double far = distance + reach * 1.01, near = std::max(distance - reach * 1.01, far * 1e-3);
+  const double far = distance + reach * 1.01;
+  const double near = wish.near_distance > 0 ? wish.near_distance : std::max(distance - reach * 1.01, far * 1e-3);
   const double half_height = std::tan(frame.fovy_radians / 2) / wish.zoom * (wish.orthographic ? distance : near);
   camera->projection = wish.orthographic ? Projection::orthographic : Projection::perspective;
   camera->view = {.left = -half_height * frame.aspect, .right = half_height * frame.aspect, .bottom = -half_height,
@@ -75,7 +76,7 @@ double seconds_of(const std::vector<double>& times) {
 
 }  // namespace
 
-Result<Rendering> render(const Model& model, const RenderOptions& options, Pipeline& pipeline) {
+Result<Frame> prepare(const Model& model, const RenderOptions& options) {
   auto target = RenderTarget::create(options.width_pixels, options.height_pixels, options.colour_format, options.depth_format);
   if (!target) return target.error();
   const glm::mat4 world_from_object = world_from_object_of(options.camera.up_axis);
@@ -89,22 +90,36 @@ Result<Rendering> render(const Model& model, const RenderOptions& options, Pipel
   const ModelView view{.world_from_object = world_from_object, .camera = *matrices, .eye = glm::vec3(camera->eye), .shading = options.shading,
                        .sampler = options.sampler, .cull_back = options.cull_back,
                        .clip_volume = camera->clip_volume, .reversed_depth = options.reversed_depth};
-  const std::vector<DrawCall> draws = drawable->draws(view);
-  Rendering rendering{.target = *std::move(target), .statistics = {}};
-  std::vector<double> times;
-  for (int frame = 0; frame < std::max(options.frames, 1); ++frame) {
-    const auto begin = std::chrono::steady_clock::now();
-    rendering.statistics = {};
-    pipeline.clear(rendering.target, options.background, options.reversed_depth ? 0.0f : 1.0f);
-    for (const DrawCall& draw : draws) {
-      const auto drawn = pipeline.draw(rendering.target, draw);
-      if (!drawn) return drawn.error();
-      rendering.statistics += *drawn;
-    }
-    times.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+  return Frame{.target = *std::move(target), .drawable = *drawable, .draws = drawable->draws(view), .camera = *camera, .matrices = *matrices,
+               .world_from_object = world_from_object, .background = options.background, .far_depth = options.reversed_depth ? 0.0f : 1.0f};
+}
+
+void clear(Frame& frame, Pipeline& pipeline) { pipeline.clear(frame.target, frame.background, frame.far_depth); }
+
+Result<DrawStatistics> draw(Frame& frame, Pipeline& pipeline, Observer* observer) {
+  DrawStatistics statistics;
+  for (const DrawCall& call : frame.draws) {
+    const auto drawn = observer != nullptr ? pipeline.draw(frame.target, call, *observer) : pipeline.draw(frame.target, call);
+    if (!drawn) return drawn.error();
+    statistics += *drawn;
   }
-  rendering.frame_seconds = seconds_of(times);
-  return rendering;
+  return statistics;
+}
+
+Result<Rendering> render(const Model& model, const RenderOptions& options, Pipeline& pipeline) {
+  auto frame = prepare(model, options);
+  if (!frame) return frame.error();
+  DrawStatistics statistics;
+  std::vector<double> times;
+  for (int i = 0; i < std::max(options.frames, 1); ++i) {
+    const auto begin = std::chrono::steady_clock::now();
+    clear(*frame, pipeline);
+    const auto drawn = draw(*frame, pipeline);
+    if (!drawn) return drawn.error();
+    times.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+    statistics = *drawn;
+  }
+  return Rendering{.target = std::move(frame->target), .statistics = statistics, .frame_seconds = seconds_of(times)};
 }
 
 std::string with_commas(std::int64_t number) {

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "base/result.hpp"
 #include "math/camera.hpp"
@@ -18,6 +19,7 @@ struct CameraOptions {
   std::vector<double> eye, look_at;  // world space; empty: chosen to show the whole model
   std::vector<double> up{0, 1, 0};
   bool orthographic = false;
+  double near_distance = 0;              // of the near plane from the eye; 0: just before the model
   std::string up_axis = "y";             // of the model: x, y, z, -x, -y or -z
 };
 
@@ -34,13 +36,33 @@ struct RenderOptions {
   int frames = 3;  // timed; the picture is the last one's
 };
 
+/// Everything that is needed to draw a model; refers to the model.
+struct Frame {
+  RenderTarget target;
+  DrawableModel drawable;
+  std::vector<DrawCall> draws;
+  Camera camera;
+  CameraMatrices matrices;
+  glm::mat4 world_from_object{1.0f};
+  Rgba32F background;
+  float far_depth = 1;
+};
+
+/// Errors: a target size, camera or texture out of range.
+Result<Frame> prepare(const Model& model, const RenderOptions& options);
+
+void clear(Frame& frame, Pipeline& pipeline);
+
+/// All draws, over what the target holds; shown to the observer, if there is one.
+Result<DrawStatistics> draw(Frame& frame, Pipeline& pipeline, Observer* observer = nullptr);
+
 struct Rendering {
   RenderTarget target;
   DrawStatistics statistics;
   double frame_seconds = 0;  // median, clearing included
 };
 
-/// Errors: a target size, camera or texture out of range.
+/// Errors as prepare().
 Result<Rendering> render(const Model& model, const RenderOptions& options, Pipeline& pipeline);
 
 /// "69,666 triangles, 7.31 ms, 9.5 Mtri/s, 284 Mpix/s"

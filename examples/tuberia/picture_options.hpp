@@ -1,0 +1,21 @@
+#pragma once
+// The options of every command that draws a model: how large, how shaded, seen from where.
+
+#include "examples/tuberia/render_model.hpp"
+
+#include <CLI/CLI.hpp>
+
+namespace tuberia::cli {
+
+struct PictureArguments {
+  std::string size = "1280x720", shading = "auto", filter = "trilinear", format = "srgb8", depth_format = "d24";
+  std::vector<float> background{0.035f, 0.04f, 0.055f};
+  RenderOptions options;  // what needs no translation
+};
+
+void add_picture_options(CLI::App& command, PictureArguments& arguments);
+
+/// Error when --size is not a size.
+Result<RenderOptions> render_options_of(const PictureArguments& arguments);
+
+}  // namespace tuberia::cli
