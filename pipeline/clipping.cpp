@@ -209,10 +209,11 @@ ClippedPolygon clip_triangle(std::span<const std::array<double, 4>, 3> triangle,
     cut_by(plane, polygons[now], polygons[1 - now]);
     now = 1 - now;
   });
-  ClippedPolygon& polygon = polygons[now];
-  drop_corners_without_w(polygon);
-  if (polygon.count < 3) polygon.count = 0;
-  return polygon;
+  drop_corners_without_w(polygons[now]);
+  ClippedPolygon result;
+  result.count = polygons[now].count < 3 ? 0 : polygons[now].count;
+  std::copy_n(polygons[now].corner.begin(), result.count, result.corner.begin());
+  return result;
 }
 
 ClippedLine clip_line(std::span<const std::array<double, 4>, 2> line, std::uint32_t planes, const ClipLimits& limits) noexcept {

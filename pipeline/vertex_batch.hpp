@@ -57,7 +57,8 @@ struct TriangleBatch {
   }
   void add(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t first, std::uint32_t number) {
     const auto i = static_cast<std::size_t>(count);
-    resize(count + 1);
+    if (v0.size() < i + 1 + kKernelPadding) resize(2 * count + 64);  // seldom: there are six arrays to grow
+    count = static_cast<int>(i) + 1;
     v0[i] = a;
     v1[i] = b;
     v2[i] = c;

@@ -55,8 +55,11 @@ HWY_INLINE PixelBounds pixel_bounds(const Corners& c, int margin_pixels) {
   return {first(c.x), first(c.y), last(c.x), last(c.y)};
 }
 
-inline int cull(const TriangleArrays& t, int count, const ScreenArrays& vertices, const CullOptions& options,
+inline int cull(const TriangleArrays& triangles, int count, const ScreenArrays& vertices, const CullOptions& options,
                 const PixelRect& clip) {
+  // Bytes may alias anything; what lies in variables of our own need not be read again after each.
+  const TriangleArrays t = triangles;
+  const bool turned_is_back = options.counter_clockwise_is_back;
   int kept = 0;
   for (int i = 0; i < count; i += kDoubleLanes) {
     const Corners corners = gather_corners(t, i, vertices);
@@ -82,7 +85,7 @@ inline int cull(const TriangleArrays& t, int count, const ScreenArrays& vertices
       t.v2[kept] = swap ? v1 : v2;
       t.provoking[kept] = t.provoking[from];
       t.primitive[kept] = t.primitive[from];
-      t.is_back[kept] = swap == options.counter_clockwise_is_back;
+      t.is_back[kept] = swap == turned_is_back;
       ++kept;
     }
   }
@@ -156,7 +159,6 @@ HWY_INLINE ScreenTriangle assembled(const SetupLanes& s, int lane, const Triangl
     out.constant[k] = s.constant[k][lane];
     out.constant_low[k] = static_cast<std::int32_t>(static_cast<std::int64_t>(s.constant[k][lane]));
     out.inverse_w[k] = s.inverse_w[k][lane];
-    out.remainder[k] = static_cast<std::uint8_t>(s.remainder[k][lane]);
   }
   out.weight_scale = s.weight_scale[lane];
   for (int k = 0; k < 2; ++k) {
@@ -176,6 +178,7 @@ HWY_INLINE ScreenTriangle assembled(const SetupLanes& s, int lane, const Triangl
   out.is_affine = s.affine >> lane & 1u;
   out.is_near = s.near >> lane & 1u;
   out.is_back = t.is_back[i + lane];
+  for (int k = 0; k < 3; ++k) out.remainder[k] = static_cast<std::uint8_t>(s.remainder[k][lane]);
   return out;
 }
 

@@ -216,4 +216,35 @@ TEST_CASE("lines: four scissored quadrants are the picture", "[pipeline][exact]"
   }
 }
 
+TEST_CASE("multisampling: triangles round a point own each sample of the screen once", "[pipeline][exact]") {
+  test::Random random(88);
+  for (int round = 0; round < 12; ++round)
+    for (const int samples : {2, 16}) {
+      // A hub anywhere and a rim outside the screen; a ring of very small triangles around the hub.
+      const std::int32_t x = static_cast<std::int32_t>(random.below(150 * 256)), y = static_cast<std::int32_t>(random.below(140 * 256));
+      std::vector<ScreenVertex> vertices{{x, y, 0.5f, 1}};
+      for (const int radius : {70, 400 * 256})
+        for (int i = 0; i < 13; ++i) {
+          const double angle = 6.283185307179586 * i / 13 + 0.1 * round;
+          vertices.push_back({x + static_cast<std::int32_t>(std::lround(radius * std::cos(angle))),
+                              y + static_cast<std::int32_t>(std::lround(radius * std::sin(angle))), 0.5f, 1});
+        }
+      std::vector<std::uint32_t> indices;
+      for (std::uint32_t i = 0; i < 13; ++i) {
+        const std::uint32_t a = 1 + i, b = 1 + (i + 1) % 13;
+        for (const std::uint32_t index : {0u, a, b, a, a + 13, b, b, a + 13, b + 13}) indices.push_back(index);
+      }
+      Pipeline pipeline({.threads = 2});
+      RenderTarget target = *RenderTarget::create({.width = 150, .height = 140, .samples = samples});
+      const std::vector<glm::vec4> one(vertices.size(), glm::vec4(1.0f / 255));
+      REQUIRE(pipeline.draw(target, {.mesh = {.screen_positions = vertices, .colours = one, .indices = indices}, .program = gouraud(),
+                                     .state = counting(Topology::triangles)}).ok());
+      INFO("seed 88, round " << round << ", " << samples << " samples");
+      for (int s = 0; s < samples; ++s) {
+        const Image<Rgba8> image = target.sample_colour_image(s);
+        REQUIRE(std::all_of(image.pixels().begin(), image.pixels().end(), [](const Rgba8& p) { return p.r == 1; }));
+      }
+    }
+}
+
 }  // namespace tuberia
