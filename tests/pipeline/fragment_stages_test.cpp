@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <map>
 
 #include "pipeline/alpha_test.hpp"
@@ -236,6 +237,30 @@ TEST_CASE("fragment stages: a stencil mask keeps what is drawn later inside", "[
     for (int y = 0; y < 70; ++y)
       for (int x = 0; x < 90; ++x)
         if ((inside.at(x, y).a == 0) != (outline.at(x, y).a == 0)) FAIL("pixel (" << x << ", " << y << ")");
+  });
+}
+
+TEST_CASE("fragment stages: a closed surface is entered as often as it is left", "[pipeline][exact]") {
+  test::for_every_instruction_set([](InstructionSet set) {
+    for (const int samples : {1, 4})
+      for (const bool both : {true, false}) {
+        Pipeline pipeline({.threads = 2, .instruction_set = set});
+        RenderTarget target = *RenderTarget::create({.width = 90, .height = 70, .stencil = true, .samples = samples});
+        PipelineState state = test::seen_from({0.3, 0.5, 3});
+        state.depth = kDepthOff;
+        state.blend.write = false;
+        state.stencil.enabled = true;
+        state.stencil.front.pass = StencilOperation::increment_wrap;
+        if (both) state.stencil.back.pass = StencilOperation::decrement_wrap;
+        const test::Mesh ball = test::sphere(14);
+        REQUIRE(pipeline.draw(target, {.mesh = ball.view(), .program = flat(), .state = state}).ok());
+        for (int s = 0; s < samples; ++s) {
+          const Image<std::uint8_t> codes = target.sample_stencil_codes(s);
+          const auto marked = std::count(codes.pixels().begin(), codes.pixels().end(), both ? 0 : 1);
+          if (both) CHECK(marked == 90 * 70);
+          else CHECK((marked > 500 && marked < 90 * 70));
+        }
+      }
   });
 }
 

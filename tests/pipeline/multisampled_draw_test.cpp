@@ -1,5 +1,7 @@
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+
 #include "tests/support/draws.hpp"
 #include "tests/support/every_instruction_set.hpp"
 
