@@ -24,7 +24,7 @@ TEST_CASE("pipeline: one vertex 2^127 times as far as another leaves a colour ev
 
 TEST_CASE("pipeline: a cut corner whose w vanishes as a float is left out", "[pipeline]") {
   Mesh mesh = unit_vectors();
-  PipelineState state = far_vertices_state({{0.5f, 1, 0.5f, 1}, {1e-42f, 0, 0, 0}, {0, 0, 0, 0}});
+  PipelineState state = far_vertices_state({{0.5f, 1, 0.5f, 1}, {4e-43f, 0, 0, 0}, {0, 0, 0, 0}});
   mesh.positions.resize(2);
   state.assembly.topology = Topology::lines;
   CHECK(pixels_drawn(render(mesh, gouraud(), state).colour) == 0);
