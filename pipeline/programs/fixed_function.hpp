@@ -1,6 +1,6 @@
 #pragma once
 // The fixed-function fragment: up to four texture units, each combining its texel with what came
-// before, as OpenGL 1.3 does.                                                    [GL13] 3.8.13
+// before, as OpenGL 1.3 does.                                                           [GL13]
 
 #include <array>
 #include <memory>
