@@ -42,8 +42,9 @@ void FragmentWatch::add(const Chunk& chunk, const FragmentBlock& block, const Ti
   const ScreenTriangle& triangle = *block.triangle;
   FragmentRecord fragment{.draw = draw_, .primitive = triangle.primitive, .x = x, .y = y, .is_back = triangle.is_back != 0};
   for (std::size_t k = 0; k < 3; ++k) {
-    fragment.slot[k] = triangle.vertex[k];
-    fragment.vertex[k] = triangle.vertex[k] < chunk.vertices.source.size() ? std::int64_t{chunk.vertices.source[triangle.vertex[k]]} : -1;
+    const std::uint32_t slot = own_slot(chunk.vertices, triangle.vertex[k]);
+    fragment.slot[k] = slot;
+    fragment.vertex[k] = slot < chunk.vertices.source.size() ? std::int64_t{chunk.vertices.source[slot]} : -1;
   }
   set_weights(fragment, triangle, block, index);
   fragment.stages.push_back(Stage::rasterization);

@@ -72,6 +72,12 @@ class FragmentWatch {
   std::vector<FragmentRecord> fragments_;
 };
 
+/// A vertex's own slot: faces that are turned away may have colours, and with them slots, of their own.
+inline std::uint32_t own_slot(const VertexBatch& vertices, std::uint32_t slot) noexcept {
+  const auto back = static_cast<std::uint32_t>(vertices.back_slots);
+  return back > 0 && slot >= back ? slot - back : slot;
+}
+
 /// Whether a new value stands in this relation to the stored one.
 bool passes(Compare test, std::int32_t value, std::int32_t stored) noexcept;
 

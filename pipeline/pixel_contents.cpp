@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "math/colour.hpp"
+#include "raster/half_float.hpp"
 
 namespace tuberia {
 namespace {
@@ -20,29 +21,34 @@ Rgba32F linear_of(const Rgba8& codes, ColourFormat format) {
   return {linear(codes.r), linear(codes.g), linear(codes.b), static_cast<float>(codes.a) / 255.0f};
 }
 
-/// Floats lie block by block: 64 reds, 64 greens, 64 blues, 64 alphas.
-Rgba32F floats_at(const Tile& tile, int index) {
-  const float* first = static_cast<const float*>(tile.colour) + index / kBlockPixels * (4 * kBlockPixels) + index % kBlockPixels;
-  return {first[0], first[kBlockPixels], first[2 * kBlockPixels], first[3 * kBlockPixels]};
+/// Floats and halves lie block by block: 64 reds, 64 greens, 64 blues, 64 alphas.
+template <class Number, class ToFloat>
+Rgba32F floats_at(const void* colour, int index, ToFloat&& to_float) {
+  const Number* first = static_cast<const Number*>(colour) + index / kBlockPixels * (4 * kBlockPixels) + index % kBlockPixels;
+  return {to_float(first[0]), to_float(first[kBlockPixels]), to_float(first[2 * kBlockPixels]), to_float(first[3 * kBlockPixels])};
+}
+
+SampleContents contents_at(const Tile& plane, ColourFormat format, int index) {
+  SampleContents contents;
+  if (format == ColourFormat::rgba32f) {
+    contents.colour = floats_at<float>(plane.colour, index, [](float x) { return x; });
+  } else if (format == ColourFormat::rgba16f) {
+    contents.colour = floats_at<std::uint16_t>(plane.colour, index, float_from_half);
+  } else {
+    contents.codes = codes_at(plane, index);
+    contents.colour = linear_of(*contents.codes, format);
+  }
+  contents.depth = plane.depth[index];
+  if (plane.stencil != nullptr) contents.stencil = plane.stencil[index];
+  return contents;
 }
 
 }  // namespace
 
 PixelContents pixel_contents(const Tile& tile, ColourFormat format, int x, int y) {
-  PixelContents contents(static_cast<std::size_t>(tile.samples));
-  for (int sample = 0; sample < tile.samples; ++sample) {
-    SampleContents& s = contents[static_cast<std::size_t>(sample)];
-    // The planes of a multisampled tile follow each other.
-    const int index = sample * kTilePixels + index_in_tile(x - tile.left, y - tile.top);
-    if (format == ColourFormat::rgba32f) {
-      s.colour = floats_at(tile, index);
-    } else {
-      s.codes = codes_at(tile, index);
-      s.colour = linear_of(*s.codes, format);
-    }
-    s.depth = tile.depth[index];
-    if (tile.stencil != nullptr) s.stencil = tile.stencil[index];
-  }
+  PixelContents contents;
+  for (int sample = 0; sample < tile.samples; ++sample)
+    contents.push_back(contents_at(plane_of_sample(tile, format, sample), format, index_in_tile(x - tile.left, y - tile.top)));
   return contents;
 }
 

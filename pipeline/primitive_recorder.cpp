@@ -9,20 +9,30 @@
 namespace tuberia {
 namespace {
 
-/// The slots of triangle i of a batch.
-std::array<std::uint32_t, 3> slots_of(const TriangleBatch& triangles, int i) {
-  const auto at = static_cast<std::size_t>(i);
-  return {triangles.v0[at], triangles.v1[at], triangles.v2[at]};
+/// A triangle, line or point of a batch.
+struct Slots {
+  std::array<std::uint32_t, 3> slot{};
+  int count = 3;
+  bool is_back = false;
+};
+
+/// What there is of a primitive at the moment, in order.
+std::vector<Slots> slots_of(const Chunk& chunk, std::uint32_t primitive) {
+  std::vector<Slots> all;
+  const TriangleBatch& triangles = chunk.triangles;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(triangles.count); ++i)
+    if (triangles.primitive[i] == primitive)
+      all.push_back({{triangles.v0[i], triangles.v1[i], triangles.v2[i]}, 3, triangles.is_back[i] != 0});
+  for (const AssembledLine& line : chunk.lines)
+    if (line.primitive == primitive) all.push_back({{line.v0, line.v1, 0}, 2, line.is_back});
+  for (const AssembledPoint& point : chunk.points)
+    if (point.primitive == primitive) all.push_back({{point.vertex, 0, 0}, 1, point.is_back});
+  return all;
 }
 
-/// Calls body(i) for every triangle of the batch that belongs to the primitive.
-template <class Body>
-void for_each_of(const TriangleBatch& triangles, std::uint32_t primitive, Body&& body) {
-  for (int i = 0; i < triangles.count; ++i)
-    if (triangles.primitive[static_cast<std::size_t>(i)] == primitive) body(i);
-}
-
+/// All 0 for vertices that come from the screen.
 ClipPosition clip_position(const VertexBatch& vertices, std::uint32_t slot) {
+  if (slot >= vertices.clip_x.size()) return {0, 0, 0, 0};
   return {vertices.clip_x[slot], vertices.clip_y[slot], vertices.clip_z[slot], vertices.clip_w[slot]};
 }
 
@@ -35,7 +45,7 @@ void PrimitiveRecorder::begin(const DrawCall& draw, const AcceptedDraw& accepted
   life_.attributes = draw.program.interface().attributes();
   life_.viewport = accepted.viewport;
   life_.clip_rect = accepted.clip;
-  life_.limits = clip_limits(accepted.viewport, draw.state.clipping.volume);
+  life_.limits = clip_limits(accepted.viewport, draw.state.clipping);
   life_.culling = draw.state.culling;
   watch_.begin(accepted.output, 0);
 }
@@ -60,30 +70,32 @@ void PrimitiveRecorder::after(Stage stage, const Chunk& chunk) {
 }
 
 void PrimitiveRecorder::assembled(const Chunk& chunk) {
-  for_each_of(chunk.triangles, life_.primitive, [&](int i) {
+  for (const Slots& assembled : slots_of(chunk, life_.primitive)) {
     life_.found = true;
-    vertex_slot_ = slots_of(chunk.triangles, i);
+    vertex_slot_.assign(assembled.slot.begin(), assembled.slot.begin() + assembled.count);
     for (const std::uint32_t slot : vertex_slot_) {
       PrimitiveVertex vertex{.number = chunk.vertices.source[slot], .object = {}, .clip = clip_position(chunk.vertices, slot),
-                             .outcode = chunk.vertices.outcode[slot]};
+                             .outcode = slot < chunk.vertices.outcode.size() ? chunk.vertices.outcode[slot] : 0};
       if (!draw_->mesh.positions.empty()) vertex.object = ObjectPosition{draw_->mesh.positions[vertex.number]};
       life_.vertices.push_back(vertex);
     }
-  });
+  }
 }
 
 void PrimitiveRecorder::clipped(const Chunk& chunk) {
   std::uint32_t any = 0;
   for (const PrimitiveVertex& vertex : life_.vertices) any |= vertex.outcode;
-  for_each_of(chunk.triangles, life_.primitive, [&](int i) {
-    PrimitivePiece piece;
-    const auto slots = slots_of(chunk.triangles, i);
-    for (std::size_t k = 0; k < 3; ++k) piece.corner[k] = corner_of(chunk, slots[k]);
-    life_.pieces.push_back(piece);
-  });
+  for (const Slots& left : slots_of(chunk, life_.primitive)) add_piece(chunk, left.slot, left.count);
   if (any == 0) life_.clip = PrimitiveLife::Clip::untouched;
   else if ((any & outcode::invalid) != 0) life_.clip = PrimitiveLife::Clip::not_finite;
   else life_.clip = life_.pieces.empty() ? PrimitiveLife::Clip::outside : PrimitiveLife::Clip::cut;
+}
+
+PrimitivePiece& PrimitiveRecorder::add_piece(const Chunk& chunk, const std::array<std::uint32_t, 3>& slots, int corner_count) {
+  PrimitivePiece piece{.corner_count = corner_count};
+  for (std::size_t k = 0; k < static_cast<std::size_t>(corner_count); ++k) piece.corner[k] = corner_of(chunk, slots[k]);
+  life_.pieces.push_back(std::move(piece));
+  return life_.pieces.back();
 }
 
 std::size_t PrimitiveRecorder::corner_of(const Chunk& chunk, std::uint32_t slot) {
@@ -94,9 +106,9 @@ std::size_t PrimitiveRecorder::corner_of(const Chunk& chunk, std::uint32_t slot)
   corner.is_new = slot >= originals;
   if (corner.is_new) {
     const ClippedVertex& made = chunk.vertices.clipped[slot - originals];
-    std::copy(made.weight, made.weight + 3, corner.weight.begin());
+    std::copy(made.weight, made.weight + made.count, corner.weight.begin());
   } else {
-    for (std::size_t k = 0; k < 3; ++k) corner.weight[k] = slot == vertex_slot_[k] ? 1 : 0;
+    for (std::size_t k = 0; k < vertex_slot_.size(); ++k) corner.weight[k] = slot == vertex_slot_[k] ? 1 : 0;
   }
   life_.corners.push_back(std::move(corner));
   return life_.corners.size() - 1;
@@ -112,18 +124,20 @@ void PrimitiveRecorder::projected(const Chunk& chunk) {
   }
   const auto place = [&](std::size_t corner) { return SnappedPoint{life_.corners[corner].x_units, life_.corners[corner].y_units}; };
   for (PrimitivePiece& piece : life_.pieces) {
+    if (piece.corner_count < 3) continue;  // points and lines count as front
     piece.twice_area = twice_area(place(piece.corner[0]), place(piece.corner[1]), place(piece.corner[2]));
     piece.is_front = (piece.twice_area > 0) == (life_.culling.front_face == Winding::clockwise);
   }
 }
 
-PrimitivePiece* PrimitiveRecorder::piece_with(const std::array<std::uint32_t, 3>& slots) {
+PrimitivePiece* PrimitiveRecorder::piece_with(const std::array<std::uint32_t, 3>& slots, int corner_count) {
   for (PrimitivePiece& piece : life_.pieces) {
+    if (piece.corner_count != corner_count) continue;
     const auto slot = [&](std::size_t k) { return life_.corners[piece.corner[k]].slot; };
+    if (slot(0) != slots[0]) continue;
+    if (corner_count == 1 || (corner_count == 2 && slot(1) == slots[1])) return &piece;
     // Culling may have exchanged the last two.
-    if (slot(0) == slots[0] && std::min(slot(1), slot(2)) == std::min(slots[1], slots[2]) &&
-        std::max(slot(1), slot(2)) == std::max(slots[1], slots[2]))
-      return &piece;
+    if (corner_count == 3 && std::minmax({slot(1), slot(2)}) == std::minmax({slots[1], slots[2]})) return &piece;
   }
   return nullptr;
 }
@@ -132,17 +146,21 @@ void PrimitiveRecorder::culled(const Chunk& chunk) {
   const CullFace cull = life_.culling.cull;
   for (PrimitivePiece& piece : life_.pieces) {
     const bool unwanted = (cull == CullFace::front && piece.is_front) || (cull == CullFace::back && !piece.is_front);
-    piece.verdict = piece.twice_area == 0 ? PrimitivePiece::Verdict::no_area
-                    : unwanted            ? PrimitivePiece::Verdict::turned_away
-                                          : PrimitivePiece::Verdict::no_pixel_centre;
+    const bool is_flat = piece.corner_count == 3 && piece.twice_area == 0;
+    piece.verdict = is_flat                                ? PrimitivePiece::Verdict::no_area
+                    : piece.corner_count == 3 && unwanted ? PrimitivePiece::Verdict::turned_away
+                                                          : PrimitivePiece::Verdict::no_pixel_centre;
   }
-  for_each_of(chunk.triangles, life_.primitive, [&](int i) {
-    const auto slots = slots_of(chunk.triangles, i);
-    PrimitivePiece* piece = piece_with(slots);
-    if (piece == nullptr) return;
-    piece->verdict = PrimitivePiece::Verdict::drawn;
-    for (std::size_t k = 0; k < 3; ++k) piece->corner[k] = corner_of(chunk, slots[k]);
-  });
+  const std::size_t before = life_.pieces.size();
+  for (const Slots& left : slots_of(chunk, life_.primitive)) {
+    PrimitivePiece* known = piece_with(left.slot, left.count);
+    // Polygon modes make lines and points of triangles.
+    PrimitivePiece& piece = known != nullptr ? *known : add_piece(chunk, left.slot, left.count);
+    piece.verdict = PrimitivePiece::Verdict::drawn;
+    if (left.count < 3) piece.is_front = !left.is_back;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(left.count); ++k) piece.corner[k] = corner_of(chunk, left.slot[k]);
+  }
+  for (std::size_t i = 0; i < before && before < life_.pieces.size(); ++i) life_.pieces[i].verdict = PrimitivePiece::Verdict::drawn_as_others;
 }
 
 void PrimitiveRecorder::attributes(const Chunk& chunk) {
@@ -150,31 +168,37 @@ void PrimitiveRecorder::attributes(const Chunk& chunk) {
   const auto scalars = static_cast<std::size_t>(scalar_count(life_.attributes));
   for (const PrimitivePiece& piece : life_.pieces) {
     if (piece.verdict != PrimitivePiece::Verdict::drawn || scalars == 0) continue;
-    for (const std::size_t number : piece.corner) {
-      PrimitiveCorner& corner = life_.corners[number];
-      const float* record = chunk.vertices.attributes.data() + corner.slot * stride;
+    const auto back = static_cast<std::size_t>(piece.is_front ? 0 : chunk.vertices.back_slots);
+    for (std::size_t k = 0; k < static_cast<std::size_t>(piece.corner_count); ++k) {
+      PrimitiveCorner& corner = life_.corners[piece.corner[k]];
+      const float* record = chunk.vertices.attributes.data() + (corner.slot + back) * stride;
       corner.attributes.assign(record, record + scalars);
     }
   }
 }
 
+PrimitivePiece* PrimitiveRecorder::piece_of(const Chunk& chunk, std::size_t record) {
+  const auto kind = chunk.shapes.empty() ? ScreenShape::Kind::triangle : chunk.shapes[record].kind;
+  std::array<std::uint32_t, 3> slots;
+  for (std::size_t k = 0; k < 3; ++k) slots[k] = own_slot(chunk.vertices, chunk.screen_triangles[record].vertex[k]);
+  return piece_with(slots, kind == ScreenShape::Kind::triangle ? 3 : kind == ScreenShape::Kind::line ? 2 : 1);
+}
+
 void PrimitiveRecorder::set_up(const Chunk& chunk) {
   for (std::size_t i = 0; i < chunk.screen_triangles.size(); ++i) {
-    const ScreenTriangle& record = chunk.screen_triangles[i];
-    if (record.primitive != life_.primitive) continue;
-    PrimitivePiece* piece = piece_with({record.vertex[0], record.vertex[1], record.vertex[2]});
+    if (chunk.screen_triangles[i].primitive != life_.primitive) continue;
+    PrimitivePiece* piece = piece_of(chunk, i);
     if (piece == nullptr) continue;
-    piece->set_up = record;
-    if (!chunk.shapes.empty() && chunk.shapes[i].kind != ScreenShape::Kind::triangle) piece->shape = chunk.shapes[i];
+    piece->set_up = chunk.screen_triangles[i];
+    if (piece->corner_count < 3) piece->shape = chunk.shapes[i];
   }
 }
 
 void PrimitiveRecorder::binned(const Chunk& chunk) {
   for (int tile = 0; tile < chunk.tiles.tile_count(); ++tile)
     for (const std::uint16_t number : chunk.tiles.of_tile(tile)) {
-      const ScreenTriangle& record = chunk.screen_triangles[number];
-      if (record.primitive != life_.primitive) continue;
-      if (PrimitivePiece* piece = piece_with({record.vertex[0], record.vertex[1], record.vertex[2]})) piece->tiles.push_back(tile);
+      if (chunk.screen_triangles[number].primitive != life_.primitive) continue;
+      if (PrimitivePiece* piece = piece_of(chunk, number)) piece->tiles.push_back(tile);
     }
 }
 
@@ -185,7 +209,7 @@ void PrimitiveRecorder::before(Stage, const Chunk&, const FragmentBlock& block, 
 void PrimitiveRecorder::after(Stage stage, const Chunk& chunk, const FragmentBlock& block, const Tile& tile) {
   if (block.triangle->primitive != life_.primitive) return;
   if (stage == Stage::rasterization) {
-    rasterized(block);
+    rasterized(chunk, block);
     return watch_.rasterized(chunk, block, tile);
   }
   watch_.after(stage, block, tile);
@@ -196,12 +220,11 @@ void PrimitiveRecorder::after(Stage stage, const Chunk& chunk, const FragmentBlo
   life_.fates.reached -= died;
 }
 
-void PrimitiveRecorder::rasterized(const FragmentBlock& block) {
+void PrimitiveRecorder::rasterized(const Chunk& chunk, const FragmentBlock& block) {
   const int fragments = std::popcount(block.live);
   life_.fates.covered += fragments;
   life_.fates.reached += fragments;
-  const auto& v = block.triangle->vertex;
-  if (PrimitivePiece* piece = piece_with({v[0], v[1], v[2]})) ++piece->blocks;
+  if (PrimitivePiece* piece = piece_of(chunk, static_cast<std::size_t>(block.triangle - chunk.screen_triangles.data()))) ++piece->blocks;
   for (int i = 0; i < kBlockPixels; ++i) {
     if ((block.live >> i & 1u) == 0) continue;
     const int x = block.left + block_x(i), y = block.top + block_y(i);

@@ -36,16 +36,18 @@ struct PrimitiveCorner {
   std::vector<float> attributes{};              // as the program declares them; empty if not computed
 };
 
-/// A triangle (line, point) of the fan that clipping made of the primitive.
+/// What goes on as one: a triangle of the fan that clipping made, the line or point that it left; or an
+/// edge or corner of a polygon that is drawn as those.
 struct PrimitivePiece {
-  enum class Verdict : std::uint8_t { drawn, no_area, turned_away, no_pixel_centre };
+  enum class Verdict : std::uint8_t { drawn, no_area, turned_away, no_pixel_centre, drawn_as_others };
   std::array<std::size_t, 3> corner{};          // into PrimitiveLife::corners; clockwise once it is drawn
-  std::int64_t twice_area = 0;                  // square units; > 0: clockwise on the screen
+  int corner_count = 3;                         // 2: a line, 1: a point
+  std::int64_t twice_area = 0;                  // of a triangle, square units; > 0: clockwise on the screen
   bool is_front = true;
   Verdict verdict = Verdict::drawn;
-  std::optional<ScreenTriangle> set_up;         // of drawn ones
-  std::optional<ScreenShape> shape;             // of points and lines
-  std::vector<int> tiles;                       // whose lists it is in
+  std::optional<ScreenTriangle> set_up{};       // of drawn ones
+  std::optional<ScreenShape> shape{};           // of points and lines
+  std::vector<int> tiles{};                     // whose lists it is in
   int blocks = 0;                               // of 8x8 pixels with fragments of it
 };
 
@@ -102,14 +104,16 @@ class PrimitiveRecorder : public Observer {
   void set_up(const Chunk& chunk);
   void attributes(const Chunk& chunk);
   void binned(const Chunk& chunk);
+  PrimitivePiece& add_piece(const Chunk& chunk, const std::array<std::uint32_t, 3>& slots, int corner_count);
   std::size_t corner_of(const Chunk& chunk, std::uint32_t slot);
-  PrimitivePiece* piece_with(const std::array<std::uint32_t, 3>& slots);
-  void rasterized(const FragmentBlock& block);
+  PrimitivePiece* piece_with(const std::array<std::uint32_t, 3>& slots, int corner_count);
+  PrimitivePiece* piece_of(const Chunk& chunk, std::size_t record);
+  void rasterized(const Chunk& chunk, const FragmentBlock& block);
 
   PrimitiveLife life_;
   FragmentWatch watch_;
   const DrawCall* draw_ = nullptr;              // while it is drawn
-  std::array<std::uint32_t, 3> vertex_slot_{};
+  std::vector<std::uint32_t> vertex_slot_;
   int live_before_ = 0;
 };
 

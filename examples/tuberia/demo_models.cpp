@@ -19,7 +19,7 @@ Demo clipped() {
   Demo demo{.name = "clipped", .caption = "A textured triangle that the near plane and the view's border cut.", .model = {}, .options = {}};
   Mesh mesh;
   mesh.name = "triangle";
-  mesh.positions = {{-1.5f, -0.8f, 0}, {2.7f, -0.5f, -1}, {0.1f, 0.9f, 4.5f}};
+  mesh.positions = {{-1.5f, -0.8f, 0}, {3.7f, -0.5f, -1}, {0.1f, 0.9f, 4.5f}};
   mesh.normals.assign(3, glm::normalize(glm::vec3(0, 0.95f, -0.3f)));
   mesh.texcoords = {{0, 1}, {1, 1}, {0.5f, 0}};
   mesh.indices = {0, 1, 2};

@@ -83,7 +83,8 @@ Json corners(const PrimitiveLife& life) {
 }
 
 Json piece(const PrimitiveLife& life, const PrimitivePiece& p) {
-  Json out{{"corners", p.corner}, {"twice_area_square_units", p.twice_area}, {"area_pixels", std::abs(static_cast<double>(p.twice_area)) / 131072},
+  const std::vector<std::size_t> used(p.corner.begin(), p.corner.begin() + p.corner_count);
+  Json out{{"corners", used}, {"twice_area_square_units", p.twice_area}, {"area_pixels", std::abs(static_cast<double>(p.twice_area)) / 131072},
            {"front_face", p.is_front}, {"drawn", p.verdict == PrimitivePiece::Verdict::drawn}, {"verdict", words_of(p.verdict)}};
   if (!p.set_up) return out;
   out["bounds_pixels"] = rectangle({p.set_up->left, p.set_up->top, p.set_up->right + 1, p.set_up->bottom + 1});

@@ -9,13 +9,17 @@ namespace {
 
 double number(float x) { return static_cast<double>(x); }
 
+/// "1 draw", "2,045 fragments".
+std::string counted(std::int64_t count, const char* name) { return with_commas(count) + " " + name + (count == 1 ? "" : "s"); }
+
 /// "v2 #17": the k-th vertex, number 17 of the mesh.
 std::string vertex_name(const PrimitiveLife& life, std::size_t k) { return text("v%zu #%u", k, life.vertices[k].number); }
 
 std::string header(const StageReport& report) {
   const RenderTarget& target = report.frame.target;
-  std::string out = text("%s: %s primitives in %zu draws, target of %dx%d pixels, %s, %s\n", report.caption.c_str(),
-                         with_commas(report.first_primitive.back()).c_str(), report.frame.draws.size(), target.width(), target.height(),
+  std::string out = text("%s: %s in %s, target of %dx%d pixels, %s, %s\n", report.caption.c_str(),
+                         counted(report.first_primitive.back(), "primitive").c_str(),
+                         counted(static_cast<std::int64_t>(report.frame.draws.size()), "draw").c_str(), target.width(), target.height(),
                          name_of(target.colour_format()), name_of(target.depth_format()));
   const auto draw = static_cast<std::size_t>(report.draw);
   out += text("primitive %lld of the frame: primitive %lld of draw %d (mesh '%s', program '%s')%s\n",
@@ -65,8 +69,12 @@ std::string screen_stages(const PrimitiveLife& life) {
               life.culling.front_face == Winding::clockwise ? "clockwise" : "counter-clockwise", kCull[static_cast<int>(life.culling.cull)]);
   for (std::size_t i = 0; i < life.pieces.size(); ++i) {
     const PrimitivePiece& p = life.pieces[i];
-    out += text("  t%zu c%zu c%zu c%zu  twice the area %lld square units (area %.4f pixels), %s: %s\n", i, p.corner[0], p.corner[1], p.corner[2],
-                static_cast<long long>(p.twice_area), std::abs(static_cast<double>(p.twice_area)) / 131072, p.is_front ? "front" : "back", words_of(p.verdict));
+    out += text("  t%zu", i);
+    for (std::size_t k = 0; k < static_cast<std::size_t>(p.corner_count); ++k) out += text(" c%zu", p.corner[k]);
+    if (p.corner_count == 3)
+      out += text("  twice the area %lld square units (area %.4f pixels), %s", static_cast<long long>(p.twice_area),
+                  std::abs(static_cast<double>(p.twice_area)) / 131072, p.is_front ? "front" : "back");
+    out += text(": %s\n", words_of(p.verdict));
   }
   return out;
 }
@@ -133,7 +141,7 @@ std::string fragment_text(const FragmentRecord& f, const RecordedDraw& draw) {
 std::string fragment_stages(const StageReport& report, int fragments) {
   const PrimitiveLife& life = report.life;
   const FragmentFates& fates = life.fates;
-  std::string out = text("  %s fragments\n", with_commas(fates.covered).c_str()) + coverage_picture(report);
+  std::string out = "  " + counted(fates.covered, "fragment") + "\n" + coverage_picture(report);
   out += text("\n7-9 fragment shading, alpha test, depth test, blending\n  %lld discarded by the program, %lld failed the alpha test, %lld the stencil or "
               "depth test, %lld reached the target\n",
               static_cast<long long>(fates.discarded), static_cast<long long>(fates.failed_alpha), static_cast<long long>(fates.failed_depth),
@@ -157,8 +165,9 @@ std::string primitive_text(const StageReport& report, int fragments) {
 
 std::string pixel_text(const StageReport& report) {
   const PixelHistory& pixel = *report.pixel;
-  std::string out = text("%s: the history of pixel (%d, %d), %zu fragments of %zu draws\n", report.caption.c_str(), pixel.x, pixel.y,
-                         pixel.fragments.size(), pixel.draws.size());
+  std::string out = text("%s: the history of pixel (%d, %d), %s of %s\n", report.caption.c_str(), pixel.x, pixel.y,
+                         counted(static_cast<std::int64_t>(pixel.fragments.size()), "fragment").c_str(),
+                         counted(static_cast<std::int64_t>(pixel.draws.size()), "draw").c_str());
   for (const SampleContents& s : pixel.initial)
     out += "  cleared to " + colour_text(s) + text(", depth code %d\n", s.depth);
   for (std::size_t i = 0; i < pixel.fragments.size(); ++i) {

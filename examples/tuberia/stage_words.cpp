@@ -51,8 +51,8 @@ std::string planes_of(std::uint32_t code) {
                              {outcode::right, "guard band right"}, {outcode::bottom, "guard band bottom"},
                              {outcode::top, "guard band top"}, {outcode::behind, "behind the eye (w <= 0)"}, {outcode::invalid, "not finite"}})
     if ((code & plane.bit) != 0) join(list, plane.name);
-  constexpr std::uint32_t kUserPlanes = ~0xffu;
-  if ((code & kUserPlanes) != 0) join(list, "a user plane");
+  for (int k = 0; k < ClippingState::kMaxUserPlanes; ++k)
+    if ((code & outcode::user << k) != 0) join(list, text("user plane %d", k).c_str());
   return list.empty() ? "nothing" : list;
 }
 
@@ -82,6 +82,7 @@ const char* words_of(PrimitivePiece::Verdict verdict) noexcept {
     case PrimitivePiece::Verdict::drawn: return "drawn";
     case PrimitivePiece::Verdict::no_area: return "dropped: no area after snapping";
     case PrimitivePiece::Verdict::turned_away: return "culled: it faces the way that is left out";
+    case PrimitivePiece::Verdict::drawn_as_others: return "drawn as its edges or corners, below";
     case PrimitivePiece::Verdict::no_pixel_centre: break;
   }
   return "dropped: its bounds hold no pixel centre that may be drawn";

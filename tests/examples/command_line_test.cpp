@@ -1,39 +1,24 @@
 // The command-line renderer as a person meets it: what it says, what it leaves behind, and with
 // which exit status.
 
-#include <sys/wait.h>
-
 #include <catch2/catch.hpp>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 #include <string>
 
 #include "image/read_image.hpp"
-#include "tests/image/temporary_folder.hpp"
+#include "tests/examples/run_program.hpp"
 
 namespace tuberia {
 namespace {
 
-struct Outcome {
-  int status;
-  std::string output;  // both streams
-};
-
-std::string content(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
+using test::Outcome;
 
 Outcome run(const std::string& arguments, const TemporaryFolder& folder, const char* program = TUBERIA_PROGRAM) {
-  const std::filesystem::path log = folder / "output.txt";
-  const std::string command = "cd '" + log.parent_path().string() + "' && '" + program + "' " + arguments + " > output.txt 2>&1";
-  const int status = std::system(command.c_str());
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(log)};
+  return test::run_program(arguments, folder, program);
 }
+
+std::string content(const std::filesystem::path& path) { return test::content_of(path); }
 
 void write_triangle(const std::filesystem::path& path) {
   std::ofstream(path) << "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3\n";
@@ -58,6 +43,7 @@ TEST_CASE("tuberia: refuses bad input in one line and leaves no file", "[example
                               {"render triangle.obj -o out.png --threads -1", "-1"},
                               {"render triangle.obj -o out.png --eye 0 0 0 --look-at 0 0 0", "camera"},
                               {"render triangle.obj -o out.png --colour", "--colour"},
+                              {"render triangle.obj -o out.png --view sideways", "sideways"},
                               {"render triangle.obj", "--output"},
                               {"paint triangle.obj", "paint"},
                               {"info missing.obj", "missing.obj"},

@@ -23,6 +23,7 @@ function svgElement(name, attributes = {}, text) {
 const panel = (name) => document.getElementById('panel-' + name);
 const number = (x, digits = 4) => x === null ? 'none' : Number(x).toFixed(digits);
 const tuple = (list, digits = 4) => '(' + list.map((x) => number(x, digits)).join(', ') + ')';
+const counted = (n, name) => n.toLocaleString('en-US') + ' ' + name + (n === 1 ? '' : 's');
 const grouped = (x) => Number(x).toLocaleString('en-US');
 
 function figure(content, caption) {

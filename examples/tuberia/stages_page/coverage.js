@@ -98,9 +98,11 @@ function coverage() {
   made.addEventListener('pointerup', () => { held = null; });
 
   const whole = fragments.length === life.fates.covered;
-  place.append(figure(made, 'Screen space, y down. Squares: snapped corners. Green edges are left or top ones and own the centres on them, dashed red ones do not; ' +
+  const shown = figure(made, 'Screen space, y down. Squares: snapped corners. Green edges are left or top ones and own the centres on them, dashed red ones do not; ' +
     'a ring marks a centre that lies on an edge, green if it is owned. Orange pixels reached the target, grey ones died in a later test; beyond the target it is light grey. Thicker lines bound blocks of 8x8.' +
-    (whole ? '' : ` A window of ${windowWidth}x${windowHeight} pixels; the primitive covers ${grouped(life.fates.covered)}.`)));
+    (whole ? '' : ` A window of ${windowWidth}x${windowHeight} pixels; the primitive covers ${grouped(life.fates.covered)}.`));
+  shown.className = 'wide';
+  place.append(shown);
   place.append(table([['edge', 'kind', 'per x', 'per y', 'centres on it', 'bounds of the triangle, pixels', 'blocks of 8x8', 'tiles of 64x64'],
     ...drawn.flatMap((t) => t.lines.map((e, k) => [`c${e.from} → c${e.to}`, e.kind, grouped(e.per_x), grouped(e.per_y), e.owns_its_centres ? 'covered' : "the neighbour's",
       k === 0 ? `${t.bounds_pixels.left}..${t.bounds_pixels.right - 1} x ${t.bounds_pixels.top}..${t.bounds_pixels.bottom - 1}` : '', k === 0 ? t.blocks : '', k === 0 ? t.tiles.length : '']))]));

@@ -76,7 +76,7 @@ function pixelHistory() {
     ['cleared', '', '', '', '', grouped(pixel.cleared_to[0].depth_code), '', swatch(pixel.cleared_to[0].colour_linear)]];
   pixel.fragments.forEach((f, i) => rows.push([String(i), `${f.primitive} of draw ${f.draw}`, pixel.draws[f.draw].program, swatch(f.colour_program_linear),
     first(f).depth_code === null ? 'not compared' : grouped(first(f).depth_code), grouped(first(f).before.depth_code), first(f).fate, swatch(first(f).after.colour_linear)]));
-  place.append(element('p', {}, `Pixel (${pixel.x_pixels}, ${pixel.y_pixels}): ${pixel.fragments.length} fragments of ${pixel.draws.length} draws.`), table(rows, [6]));
+  place.append(element('p', {}, `Pixel (${pixel.x_pixels}, ${pixel.y_pixels}): ${counted(pixel.fragments.length, 'fragment')} of ${counted(pixel.draws.length, 'draw')}.`), table(rows, [6]));
 }
 
 function wholeFrame() {
