@@ -232,4 +232,40 @@ TEST_CASE("clipping: a cut that all but meets a vertex is still a new vertex", "
   CHECK(triangles.primitive[0] == 7);
 }
 
+TEST_CASE("cutting: a polygon alone is cut as the triangles of the pipeline are", "[pipeline][exact]") {
+  test::Random random(0x90);
+  ClipLimits limits;
+  limits.user_plane_count = 1;
+  limits.user_planes[0][0] = 1, limits.user_planes[0][3] = 0.25;
+  int cut = 0;
+  for (int i = 0; i < 2000; ++i) {
+    std::array<std::array<double, 4>, 3> triangle;
+    std::vector<glm::dvec4> corners;
+    for (auto& corner : triangle) {
+      for (double& c : corner) c = static_cast<double>(random.between(-3, 3));
+      corners.push_back({corner[0], corner[1], corner[2], corner[3]});
+    }
+    const ClippedPolygon expected = clip_triangle(triangle, ~0u, limits);
+    const std::vector<glm::dvec4> polygon = clip_polygon(corners, limits);
+    REQUIRE(polygon.size() == static_cast<std::size_t>(expected.count));
+    for (std::size_t k = 0; k < polygon.size(); ++k)
+      for (int c = 0; c < 4; ++c) REQUIRE(polygon[k][c] == expected.corner[k].position[c]);
+    cut += expected.count > 3;
+  }
+  CHECK(cut > 300);
+}
+
+TEST_CASE("cutting: a hundred corners around the volume leave its square", "[pipeline]") {
+  std::vector<glm::dvec4> circle;
+  for (int i = 0; i < 100; ++i) circle.push_back({2 * std::cos(0.0628318530717958 * i), 2 * std::sin(0.0628318530717958 * i), 0, 1});
+  const std::vector<glm::dvec4> square = clip_polygon(circle, {});
+  double area = 0;
+  for (std::size_t i = 0; i < square.size(); ++i) {
+    const glm::dvec4 &a = square[i], &b = square[(i + 1) % square.size()];
+    area += 0.5 * (a.x * b.y - a.y * b.x);
+  }
+  CHECK(area == Approx(4).epsilon(1e-12));
+  CHECK(clip_polygon(std::vector<glm::dvec4>{{5, 0, 0, 1}, {6, 0, 0, 1}, {5, 1, 0, 1}}, {}).empty());
+}
+
 }  // namespace tuberia
