@@ -158,7 +158,7 @@ void PrimitiveRecorder::culled(const Chunk& chunk) {
     PrimitivePiece& piece = known != nullptr ? *known : add_piece(chunk, left.slot, left.count);
     piece.verdict = PrimitivePiece::Verdict::drawn;
     if (left.count < 3) piece.is_front = !left.is_back;
-    for (std::size_t k = 0; k < static_cast<std::size_t>(left.count); ++k) piece.corner[k] = corner_of(chunk, left.slot[k]);
+    for (std::size_t k = 0; k < static_cast<std::size_t>(left.count); ++k) piece.clockwise[k] = corner_of(chunk, left.slot[k]);
   }
   for (std::size_t i = 0; i < before && before < life_.pieces.size(); ++i) life_.pieces[i].verdict = PrimitivePiece::Verdict::drawn_as_others;
 }

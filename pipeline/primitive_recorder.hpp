@@ -40,7 +40,8 @@ struct PrimitiveCorner {
 /// edge or corner of a polygon that is drawn as those.
 struct PrimitivePiece {
   enum class Verdict : std::uint8_t { drawn, no_area, turned_away, no_pixel_centre, drawn_as_others };
-  std::array<std::size_t, 3> corner{};          // into PrimitiveLife::corners; clockwise once it is drawn
+  std::array<std::size_t, 3> corner{};          // into PrimitiveLife::corners, in the order of the fan
+  std::array<std::size_t, 3> clockwise{};       // the same as it is drawn: clockwise on the screen
   int corner_count = 3;                         // 2: a line, 1: a point
   std::int64_t twice_area = 0;                  // of a triangle, square units; > 0: clockwise on the screen
   bool is_front = true;

@@ -52,7 +52,7 @@ Image<Rgba8> heat_image(const Image<float>& values, const ValueRange& range, boo
 std::string legend_of(const ValueRange& range, const std::string& unit, bool logarithmic) {
   if (range.count == 0) return "nothing was drawn";
   char text[160];
-  std::snprintf(text, sizeof text, "%.4g (dark) to %.4g (light) %s%s, %.3g in the mean of ", static_cast<double>(range.low),
+  std::snprintf(text, sizeof text, "%.4g (dark) to %.4g (light) %s%s, %.4g in the mean of ", static_cast<double>(range.low),
                 static_cast<double>(range.high), unit.c_str(), logarithmic ? ", logarithmic" : "", static_cast<double>(range.mean));
   return text + with_commas(range.count) + " pixels; the rest is dark green";
 }

@@ -94,7 +94,7 @@ Json piece(const PrimitiveLife& life, const PrimitivePiece& p) {
   out["edges"] = Json::array();
   for (std::size_t k = 0; k < 3 && !p.shape; ++k) {
     const EdgeWords edge = edge_of(life, p, k);
-    out["edges"].push_back({{"from", p.corner[(k + 1) % 3]}, {"to", p.corner[(k + 2) % 3]}, {"per_x", edge.per_x}, {"per_y", edge.per_y},
+    out["edges"].push_back({{"from", p.clockwise[(k + 1) % 3]}, {"to", p.clockwise[(k + 2) % 3]}, {"per_x", edge.per_x}, {"per_y", edge.per_y},
                             {"kind", edge.kind}, {"owns_its_centres", edge.top_left}});
   }
   return out;

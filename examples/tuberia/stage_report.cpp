@@ -29,10 +29,12 @@ Result<Nothing> check(const StageRequest& request, const StageReport& report) {
   const int draws = static_cast<int>(report.frame.draws.size());
   if (request.draw && (*request.draw < 0 || *request.draw >= draws))
     return Error{"--draw " + std::to_string(*request.draw) + ": the frame has draws 0 to " + std::to_string(draws - 1)};
-  if (request.primitive) {
+  if (report.first_primitive.back() == 0) return Error{"the model has nothing to draw"};
+  if (request.draw || request.primitive) {
     const auto at = static_cast<std::size_t>(request.draw.value_or(0));
     const std::int64_t count = request.draw ? report.first_primitive[at + 1] - report.first_primitive[at] : report.first_primitive.back();
-    if (*request.primitive < 0 || *request.primitive >= count)
+    if (count == 0) return Error{"--draw " + std::to_string(*request.draw) + " has no primitives"};
+    if (request.primitive && (*request.primitive < 0 || *request.primitive >= count))
       return Error{"--primitive " + std::to_string(*request.primitive) + ": the " + (request.draw ? "draw" : "frame") + " has primitives 0 to " +
                    std::to_string(count - 1)};
   }
@@ -43,9 +45,9 @@ Result<Nothing> check(const StageRequest& request, const StageReport& report) {
   return Nothing{};
 }
 
-/// The primitive that is seen at the pixel, or nearest to it; the first one if nothing is seen.
-PrimitivePlace primitive_near(const Image<Owner>& owner, const PixelPlace& place, std::optional<int> draw) {
-  PrimitivePlace found{draw.value_or(0), 0};
+/// The primitive that is seen at the pixel, or nearest to it; none if nothing is seen.
+std::optional<PrimitivePlace> primitive_near(const Image<Owner>& owner, const PixelPlace& place, std::optional<int> draw) {
+  std::optional<PrimitivePlace> found;
   std::int64_t nearest = -1;
   for (int y = 0; y < owner.height(); ++y)
     for (int x = 0; x < owner.width(); ++x) {
@@ -54,7 +56,7 @@ PrimitivePlace primitive_near(const Image<Owner>& owner, const PixelPlace& place
       const std::int64_t dx = x - place.x, dy = y - place.y, distance = dx * dx + dy * dy;
       if (nearest >= 0 && distance >= nearest) continue;
       nearest = distance;
-      found = {here.draw, here.primitive};
+      found = PrimitivePlace{here.draw, here.primitive};
     }
   return found;
 }
@@ -62,13 +64,14 @@ PrimitivePlace primitive_near(const Image<Owner>& owner, const PixelPlace& place
 PrimitivePlace chosen_primitive(const StageRequest& request, const StageReport& report) {
   if (!request.primitive) {
     const PixelPlace middle{report.frame.target.width() / 2, report.frame.target.height() / 2};
-    return primitive_near(report.maps.owner, request.pixel.value_or(middle), request.draw);
+    if (const auto seen = primitive_near(report.maps.owner, request.pixel.value_or(middle), request.draw)) return *seen;
   }
-  if (request.draw) return {*request.draw, *request.primitive};
+  const std::int64_t number = request.primitive.value_or(0);
+  if (request.draw) return {*request.draw, number};
   const auto& first = report.first_primitive;
-  const auto next = std::upper_bound(first.begin(), first.end(), *request.primitive);
+  const auto next = std::upper_bound(first.begin(), first.end(), number);
   const auto draw = static_cast<std::size_t>(next - first.begin()) - 1;
-  return {static_cast<int>(draw), *request.primitive - first[draw]};
+  return {static_cast<int>(draw), number - first[draw]};
 }
 
 /// Where to look at a primitive: all of it, or if that is too much, the pixel that was asked for,
@@ -103,7 +106,6 @@ Result<PrimitiveLife> life_of(StageReport& report, const PixelRect& window, Pipe
 Result<StageReport> stage_report(const Model& model, const RenderOptions& options, const StageRequest& request, Pipeline& pipeline) {
   auto frame = prepare(model, options);
   if (!frame) return frame.error();
-  if (frame->draws.empty()) return Error{"the model has nothing to draw"};
   StageReport report{.frame = *std::move(frame), .caption = {}, .mesh_of_draw = {}, .first_primitive = {}, .statistics = {},
                      .maps = FrameMaps(options.width_pixels, options.height_pixels), .life = {}, .window = {}, .pixel = {}};
   for (const DrawCall& draw : report.frame.draws) report.mesh_of_draw.push_back(mesh_name(draw, model));

@@ -33,16 +33,15 @@ std::string vertex_stages(const PrimitiveLife& life) {
   for (std::size_t k = 0; k < life.vertices.size(); ++k) {
     const PrimitiveVertex& v = life.vertices[k];
     if (v.object)
-      out += text("  %-10s object (%.6g, %.6g, %.6g)\n", vertex_name(life, k).c_str(), number(v.object->value.x), number(v.object->value.y), number(v.object->value.z));
-    out += text("  %-10s clip   x %.6f  y %.6f  z %.6f  w %.6f\n", v.object ? "" : vertex_name(life, k).c_str(), number(v.clip.x), number(v.clip.y), number(v.clip.z), number(v.clip.w));
+      out += text("  %-10s object (%.6g, %.6g, %.6g)\n", vertex_name(life, k).c_str(), number(v.object->value.x),
+                  number(v.object->value.y), number(v.object->value.z));
+    out += text("  %-10s clip   x %.6f  y %.6f  z %.6f  w %.6f\n", v.object ? "" : vertex_name(life, k).c_str(), number(v.clip.x),
+                number(v.clip.y), number(v.clip.z), number(v.clip.w));
     out += text("             outside of %s; beyond the view's borders: %s\n", planes_of(v.outcode).c_str(), view_borders_of(v.clip, life.limits).c_str());
   }
-  return out + "\n2 primitive assembly: vertices -> primitives\n  joins " +
-         [&] {
-           std::string names;
-           for (std::size_t k = 0; k < life.vertices.size(); ++k) names += (k > 0 ? ", " : "") + vertex_name(life, k);
-           return names;
-         }() + "\n";
+  out += "\n2 primitive assembly: vertices -> primitives\n  joins";
+  for (std::size_t k = 0; k < life.vertices.size(); ++k) out += (k > 0 ? ", " : " ") + vertex_name(life, k);
+  return out + "\n";
 }
 
 std::string clipping_stage(const PrimitiveLife& life) {
@@ -100,8 +99,8 @@ std::string set_up_stage(const PrimitiveLife& life) {
     if (!p.set_up) continue;
     for (std::size_t k = 0; k < 3 && !p.shape; ++k) {
       const EdgeWords edge = edge_of(life, p, k);
-      out += text("  t%zu edge c%zu->c%zu  per x %lld, per y %lld (square units a unit)  a %s edge: centres on it are %s\n", i, p.corner[(k + 1) % 3],
-                  p.corner[(k + 2) % 3], static_cast<long long>(edge.per_x), static_cast<long long>(edge.per_y), edge.kind,
+      out += text("  t%zu edge c%zu->c%zu  per x %lld, per y %lld (square units a unit)  a %s edge: centres on it are %s\n", i, p.clockwise[(k + 1) % 3],
+                  p.clockwise[(k + 2) % 3], static_cast<long long>(edge.per_x), static_cast<long long>(edge.per_y), edge.kind,
                   edge.top_left ? "covered" : "its neighbour's");
     }
     out += text("  t%zu bounds: pixels %d..%d x %d..%d; %zu tiles; %d blocks with fragments; %s\n", i, p.set_up->left, p.set_up->right, p.set_up->top,
@@ -148,7 +147,8 @@ std::string fragment_stages(const StageReport& report, int fragments) {
               static_cast<long long>(fates.reached));
   const auto listed = std::min(life.fragments.size(), static_cast<std::size_t>(fragments));
   for (std::size_t i = 0; i < listed; ++i) out += fragment_text(life.fragments[i], life.draw);
-  if (life.fates.covered > static_cast<std::int64_t>(listed)) out += text("  and %s more\n", with_commas(life.fates.covered - static_cast<std::int64_t>(listed)).c_str());
+  const std::int64_t others = life.fates.covered - static_cast<std::int64_t>(listed);
+  if (others > 0) out += "  and " + with_commas(others) + " more\n";
   return out;
 }
 

@@ -134,7 +134,7 @@ std::string fate_of(const FragmentRecord& fragment, const SampleRecord& sample, 
 
 EdgeWords edge_of(const PrimitiveLife& life, const PrimitivePiece& piece, std::size_t k) {
   const auto place = [&](std::size_t i) {
-    const PrimitiveCorner& corner = life.corners[piece.corner[i % 3]];
+    const PrimitiveCorner& corner = life.corners[piece.clockwise[i % 3]];
     return SnappedPoint{corner.x_units, corner.y_units};
   };
   const EdgeFunction edge(place(k + 1), place(k + 2));

@@ -161,6 +161,8 @@ TEST_CASE("observer: the life of a clipped primitive adds up", "[pipeline][exact
   for (const PrimitivePiece& piece : life.pieces) {
     CHECK(piece.verdict == PrimitivePiece::Verdict::drawn);
     REQUIRE(piece.set_up.has_value());
+    CHECK(piece.twice_area > 0);
+    CHECK(piece.clockwise == piece.corner);
     tiles += piece.tiles.size();
   }
   CHECK(tiles > 1);
@@ -198,6 +200,10 @@ TEST_CASE("observer: the life of a primitive that is not drawn says why", "[pipe
   const glm::vec4 a{-0.5f, -0.5f, 0, 1}, b{0.5f, -0.5f, 0, 1}, c{0, 0.5f, 0, 1};
   CHECK(life_of({a, b, c}, CullFace::back).pieces.at(0).verdict == Verdict::drawn);
   CHECK(life_of({a, c, b}, CullFace::back).pieces.at(0).verdict == Verdict::turned_away);
+  // A triangle that came counter-clockwise is drawn the other way round.
+  const PrimitivePiece front = life_of({a, b, c}, CullFace::back).pieces.at(0);
+  CHECK(front.twice_area < 0);
+  CHECK(front.clockwise == std::array<std::size_t, 3>{front.corner[0], front.corner[2], front.corner[1]});
   CHECK(life_of({a, b, c}, CullFace::front).pieces.at(0).verdict == Verdict::turned_away);
   CHECK(life_of({a, a, c}, CullFace::none).pieces.at(0).verdict == Verdict::no_area);
   CHECK(life_of({{0, 0, 0, 1}, {0.01f, 0, 0, 1}, {0, 0.01f, 0, 1}}, CullFace::none).pieces.at(0).verdict == Verdict::no_pixel_centre);

@@ -74,8 +74,11 @@ function coverage() {
       context.fillRect(x(px) - 3.5, y(py) - 3.5, 7, 7);
       context.fillText('c' + i, x(px) + 7, y(py) - 6);
     });
+    const place = `pixels ${Math.max(firstX, 0)}..${lastX} x ${Math.max(firstY, 0)}..${lastY}`;
+    context.fillStyle = 'rgba(255, 255, 255, 0.85)';
+    context.fillRect(4, 4, context.measureText(place).width + 8, 20);
     context.fillStyle = '#4b525b';
-    context.fillText(`pixels ${Math.max(firstX, 0)}..${lastX} x ${Math.max(firstY, 0)}..${lastY}, ${number(side, 1)} screen points a pixel`, 8, height - 8);
+    context.fillText(place, 8, 18);
   }, {class: 'grid'});
   made.addEventListener('wheel', (e) => {
     e.preventDefault();

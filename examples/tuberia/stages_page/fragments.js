@@ -82,7 +82,7 @@ function pixelHistory() {
 function wholeFrame() {
   const small = life.frame.width_pixels < 200;
   panel('frame').append(row(...data.maps.map((m) => {
-    const image = element('img', {src: m.picture, alt: m.title, width: 350});
+    const image = element('img', {src: m.picture, alt: m.title, width: 352});
     if (small) image.className = 'pixelated';
     return figure(image, element('span', {}, element('strong', {}, m.title + '. '), m.legend));
   })));

@@ -39,6 +39,7 @@ function outsideView() {
     context.setLineDash([4, 4]);
     for (let i = 0; i < 4; ++i) { path([[0, 0, 0], frustum[i]], false); context.stroke(); }
     context.setLineDash([]);
+    if (triangle.length < 3) return;
     context.fillStyle = 'rgba(214, 120, 20, 0.55)';
     context.strokeStyle = '#b04a00';
     context.lineWidth = 2;
