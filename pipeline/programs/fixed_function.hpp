@@ -41,9 +41,9 @@ struct Combine {
 };
 
 struct TextureUnit {
-  std::shared_ptr<const Texture> texture;  // null: the unit is off and passes on what came before
-  Sampler sampler;
-  Combine colour, alpha;                   // by default: texel times what came before
+  std::shared_ptr<const Texture> texture{};  // null: the unit is off and passes on what came before
+  Sampler sampler{};
+  Combine colour{}, alpha{};               // by default: texel times what came before
   Rgba32F constant{0, 0, 0, 0};            // linear, [0, 1]
 };
 
