@@ -2,17 +2,11 @@
 
 #include <cmath>
 
+#include "reference/oracle/cube.hpp"
+#include "reference/oracle/program.hpp"
+
 namespace tuberia::oracle {
 namespace {
-
-Outcome holds_between(Compare test, Interval a, double b) {
-  if (!a.is_known()) return test == Compare::always ? Outcome::yes : test == Compare::never ? Outcome::no : Outcome::maybe;
-  // Between the bounds the relation changes only where it does at one of them, or in between at b.
-  const bool low = holds(test, a.low, b), high = holds(test, a.high, b);
-  if (low != high) return Outcome::maybe;
-  if (a.low < b && b < a.high && holds(test, b, b) != low) return Outcome::maybe;
-  return low ? Outcome::yes : Outcome::no;
-}
 
 Interval mapped(Interval a, double (*increasing)(double)) { return {increasing(a.low), increasing(a.high)}; }
 
@@ -30,28 +24,6 @@ Interval fog_share(const Fog& fog, Interval c) {
   // The documents allow e^x an error: that of the exponent scaled, and that of the power itself.
   thickness = widened(thickness, 0x1p-21);
   return clamped(widened(mapped(-thickness, [](double x) { return std::exp(x); }), 1e-6), 0, 1);
-}
-
-Colour texture_colour(const Shape& shape, const FragmentWeights& w, const Draw& draw) {
-  const Program& program = draw.program;
-  const auto scalar = [&](std::size_t i) {
-    return draw.flat_shading ? shape.primitive().provoking[i] : interpolated(shape, w, i);
-  };
-  return sample(*program.texture, program.sampler, scalar(kTexcoord), scalar(kTexcoord + 1));
-}
-
-Colour program_colour(const Shape& shape, const FragmentWeights& w, const Draw& draw) {
-  const bool flat = draw.flat_shading || draw.program.kind == ProgramKind::flat;
-  Colour colour;
-  for (std::size_t i = 0; i < 4; ++i) {
-    if (draw.program.kind == ProgramKind::textured) colour[i] = static_cast<double>(draw.program.tint[static_cast<int>(i)]);
-    else colour[i] = flat ? shape.primitive().provoking[kColour + i] : interpolated(shape, w, kColour + i);
-  }
-  if (draw.program.kind == ProgramKind::textured || draw.program.kind == ProgramKind::textured_gouraud) {
-    const Colour texel = texture_colour(shape, w, draw);
-    for (std::size_t i = 0; i < 4; ++i) colour[i] = texel[i] * colour[i];
-  }
-  return colour;
 }
 
 std::uint8_t operated(StencilOperation operation, std::uint8_t code, std::uint8_t reference) {
@@ -102,9 +74,9 @@ Interval interpolated(const Shape& shape, const FragmentWeights& w, std::size_t 
 ShadedFragment shaded(const Shape& shape, const Draw& draw, int x, int y) {
   const FragmentWeights w = perspective_weights(shape, shape.weights(x, y));
   ShadedFragment fragment;
-  fragment.colour = program_colour(shape, w, draw);
+  fragment.colour = program_colour(shape, w, draw, x, y);
   if (draw.program.may_discard())
-    fragment.is_kept = holds_between(Compare::greater_equal, fragment.colour[3], static_cast<double>(draw.program.alpha_cutoff));
+    fragment.is_kept = outcome_of(Compare::greater_equal, fragment.colour[3], static_cast<double>(draw.program.alpha_cutoff));
   if (draw.fog.mode == FogMode::off) return fragment;
   const Interval share = fog_share(draw.fog, absolute(interpolated(shape, w, kFogCoordinate)));
   for (std::size_t i = 0; i < 3; ++i) {
@@ -116,7 +88,7 @@ ShadedFragment shaded(const Shape& shape, const Draw& draw, int x, int y) {
 
 Outcome alpha_keeps(const Draw& draw, Interval alpha, int sample, int samples) {
   const Interval a = alpha.is_known() ? clamped(alpha, 0, 1) : Interval{0, 1};
-  Outcome outcome = holds_between(draw.alpha_test, a, static_cast<double>(draw.alpha_reference));
+  Outcome outcome = outcome_of(draw.alpha_test, a, static_cast<double>(draw.alpha_reference));
   if (!draw.alpha_to_coverage) return outcome;
   const Interval scaled = a * Interval(static_cast<double>(samples)) + Interval(0.5);
   const double fewest = std::floor(scaled.low), most = std::floor(scaled.high);

@@ -30,12 +30,13 @@ ScreenVertex on_screen(const ClipVertex& v, const Draw& draw, const Viewport& vi
 
 /// A sum in double in vertex order, rounded to float once.
 Interval weighted(const Corner& corner, const std::vector<ClipVertex>& vertices, Scalars ClipVertex::*face, std::size_t scalar) {
-  double sum = 0;
+  double low = 0, high = 0;  // weights are not negative
   for (std::size_t k = 0; k < vertices.size(); ++k) {
     const Interval& value = (vertices[k].*face)[scalar];
-    sum = k == 0 ? corner.weight[k] * value.low : sum + corner.weight[k] * value.low;
+    low = k == 0 ? corner.weight[k] * value.low : low + corner.weight[k] * value.low;
+    high = k == 0 ? corner.weight[k] * value.high : high + corner.weight[k] * value.high;
   }
-  return static_cast<double>(static_cast<float>(sum));
+  return {static_cast<double>(static_cast<float>(low)), static_cast<double>(static_cast<float>(high))};
 }
 
 /// The vertex at a corner: one of the primitive's own, or a new one.

@@ -19,7 +19,6 @@ enum class ClipVolume { minus_w_to_w, zero_to_w };
 enum class Winding { counter_clockwise, clockwise };
 enum class CullFace { none, back, front };
 enum class PolygonMode { fill, line, point };
-enum class Compare { never, less, equal, less_equal, greater, not_equal, greater_equal, always };
 enum class StencilOperation { keep, zero, replace, increment, decrement, invert, increment_wrap, decrement_wrap };
 enum class FogMode { off, linear, exp, exp2 };
 enum class DepthFormat { d16, d24, d32f };
@@ -86,9 +85,33 @@ struct Blend {
   std::array<bool, 4> mask{true, true, true, true};
 };
 
+/// How a texture unit makes its colour (or alpha); see pipeline/programs/fixed_function.hpp.
+enum class CombineFunction { replace, modulate, add, add_signed, interpolate, subtract, dot3_rgb, dot3_rgba };
+enum class CombineSource { texture, constant, primary, previous };
+enum class CombineOperand { colour, one_minus_colour, alpha, one_minus_alpha };
+struct CombineArgument {
+  CombineSource source = CombineSource::texture;
+  CombineOperand operand = CombineOperand::colour;
+};
+struct Combine {
+  CombineFunction function = CombineFunction::modulate;
+  std::array<CombineArgument, 3> argument{{{CombineSource::texture, CombineOperand::colour},
+                                           {CombineSource::previous, CombineOperand::colour},
+                                           {CombineSource::constant, CombineOperand::alpha}}};
+  int scale = 1;
+};
+struct TextureUnit {
+  const Texture* texture = nullptr;  // null: off
+  Sampler sampler;
+  Combine colour, alpha;
+  glm::vec4 constant{0};
+};
+inline constexpr std::size_t kTextureUnits = 4;
+
 /// flat: the first vertex's colour; gouraud: the interpolated one; textured: texture times tint,
-/// dropped below the cutoff where `cut_out`; textured_gouraud: texture times the interpolated colour.
-enum class ProgramKind { flat, gouraud, textured, textured_gouraud };
+/// dropped below the cutoff where `cut_out`; textured_gouraud: texture times the interpolated colour;
+/// fixed_function: the colour through the texture units.
+enum class ProgramKind { flat, gouraud, textured, textured_gouraud, fixed_function };
 struct Program {
   ProgramKind kind = ProgramKind::gouraud;
   const Texture* texture = nullptr;
@@ -96,8 +119,17 @@ struct Program {
   glm::vec4 tint{1};
   float alpha_cutoff = 0;
   bool cut_out = false;
+  std::array<TextureUnit, kTextureUnits> units;
 
   bool may_discard() const { return kind == ProgramKind::textured && cut_out; }
+};
+
+/// Where a texture coordinate comes from; the linear ones: plane . (x, y, z, 1).
+enum class TexCoordSource { vertex, object_linear, eye_linear };
+struct TexCoordUnit {
+  std::array<TexCoordSource, 4> source{};
+  std::array<glm::vec4, 4> plane{};
+  glm::mat4 matrix{1};
 };
 
 /// How vertices arrive: in object space, in clip space, or already on the screen.
@@ -109,6 +141,7 @@ struct InputVertex {
   float screen_depth = 0;                   // and position.w is its w
   glm::vec4 colour{1}, back_colour{1};
   glm::vec2 texcoord{0};
+  std::array<glm::vec4, kTextureUnits> unit_texcoord{};  // (s, t, r, q)
   float fog_coordinate = 0;
   bool edge_flag = true;
 };
@@ -119,7 +152,10 @@ struct Draw {
   std::vector<InputVertex> vertices;
   std::vector<std::uint32_t> indices;  // empty: in order of arrival
   bool has_fog_coordinates = false;
-  glm::mat4 clip_from_object{1};
+  glm::mat4 clip_from_object{1};  // the world is the object's space
+  glm::mat4 view_from_object{1};  // only eye_linear reads it
+  std::array<TexCoordUnit, kTextureUnits> texcoord_units;
+  bool has_unit_texcoords = false;  // else (texcoord, 0, 1)
 
   ClipVolume volume = ClipVolume::minus_w_to_w;
   std::vector<glm::dvec4> user_planes;
@@ -148,20 +184,5 @@ struct Draw {
   bool depth_write = true;
   Blend blend;
 };
-
-template <class Number>
-bool holds(Compare test, Number a, Number b) {
-  switch (test) {
-    case Compare::never: return false;
-    case Compare::less: return a < b;
-    case Compare::equal: return a == b;
-    case Compare::less_equal: return a <= b;
-    case Compare::greater: return a > b;
-    case Compare::not_equal: return a != b;
-    case Compare::greater_equal: return a >= b;
-    case Compare::always: return true;
-  }
-  return true;
-}
 
 }  // namespace tuberia::oracle

@@ -2,18 +2,12 @@
 
 #include <cmath>
 
+#include "reference/oracle/cube.hpp"
+
 namespace tuberia::oracle {
 namespace {
 
-constexpr double kWhole = 1 << 14;  // more texels apart than this: any texel at all
-
-double decoded(std::uint8_t code, bool is_srgb) {
-  const double signal = code / 255.0;
-  if (!is_srgb) return signal;
-  return signal <= 0.04045 ? signal / 12.92 : std::pow((signal + 0.055) / 1.055, 2.4);
-}
-
-/// The texel that column (or row) i of an endless texture shows; -1: the border.
+/// The texel that place i of an endless row of `size` texels shows; -1: the border.
 int wrapped(std::int64_t i, int size, Wrap wrap) {
   const auto modulo = [](std::int64_t a, std::int64_t n) { return (a % n + n) % n; };
   switch (wrap) {
@@ -28,21 +22,7 @@ int wrapped(std::int64_t i, int size, Wrap wrap) {
   return 0;
 }
 
-Colour texel(const Texture& texture, const Sampler& sampler, std::int64_t i, std::int64_t j) {
-  const int x = wrapped(i, texture.width, sampler.wrap_u), y = wrapped(j, texture.height, sampler.wrap_v);
-  Colour colour;
-  for (std::size_t c = 0; c < 4; ++c) {
-    if (x < 0 || y < 0) {
-      colour[c] = widened(static_cast<double>(sampler.border[static_cast<int>(c)]));
-      continue;
-    }
-    const std::size_t at = static_cast<std::size_t>(y) * static_cast<std::size_t>(texture.width) + static_cast<std::size_t>(x);
-    const std::uint8_t code = texture.texels[at][c];
-    colour[c] = decoded(code, texture.is_srgb && c < 3);
-    if (code != 0 && code != 255) colour[c] = widened(colour[c]);
-  }
-  return colour;
-}
+Colour every(Interval x) { return {x, x, x, x}; }
 
 Colour hull_of(const Colour& a, const Colour& b) {
   Colour colour;
@@ -50,7 +30,15 @@ Colour hull_of(const Colour& a, const Colour& b) {
   return colour;
 }
 
-Colour anything() { return {Interval{0, 1}, Interval{0, 1}, Interval{0, 1}, Interval{0, 1}}; }
+Colour mixed(const Colour& a, const Colour& b, Interval share) {
+  Colour colour;
+  for (std::size_t k = 0; k < 4; ++k) {
+    // The documents speak of weights, which need not sum up to 1 to the last digit.
+    const Interval mean = a[k] + (b[k] - a[k]) * share;
+    colour[k] = a[k] == Interval(0.0) && b[k] == Interval(0.0) ? Interval(0.0) : widened(mean, 0x1p-21);
+  }
+  return colour;
+}
 
 /// Part of an interval that lies in [i, i + 1], counted from i.
 Interval fraction(Interval x, std::int64_t i) {
@@ -58,46 +46,148 @@ Interval fraction(Interval x, std::int64_t i) {
   return {std::max(x.low - base, 0.0), std::min(x.high - base, 1.0)};
 }
 
-Colour bilinear(const Texture& texture, const Sampler& sampler, std::int64_t i, std::int64_t j, Interval fx, Interval fy) {
-  const Colour a = texel(texture, sampler, i, j), b = texel(texture, sampler, i + 1, j);
-  const Colour c = texel(texture, sampler, i, j + 1), d = texel(texture, sampler, i + 1, j + 1);
-  Colour colour;
-  for (std::size_t k = 0; k < 4; ++k) {
-    const Interval upper = a[k] + (b[k] - a[k]) * fx, lower = c[k] + (d[k] - c[k]) * fx;
-    // The documents speak of weights, which need not sum up to 1 to the last digit.
-    const Interval mean = upper + (lower - upper) * fy;
-    colour[k] = mean == Interval(0.0) ? mean : widened(mean, 0x1p-21);
+std::int64_t first_of(Interval a) { return static_cast<std::int64_t>(std::floor(a.low)); }
+std::int64_t last_of(Interval a) { return static_cast<std::int64_t>(std::floor(a.high)); }
+
+/// Reads one level of a texture for one point.
+class LevelReader {
+ public:
+  LevelReader(const Texture& texture, const Sampler& sampler, const TextureLevel& level, Interval reference)
+      : texture_(texture), sampler_(sampler), level_(level), reference_(reference) {}
+
+  Colour read(Interval s, Interval t, Interval r, int face) const {
+    const double shift = is_nearest() ? 0 : 0.5;
+    const Interval x = scaled(s, level_.width, shift);
+    const bool has_rows = texture_.kind != TextureKind::one_dimensional, is_box = texture_.kind == TextureKind::three_dimensional;
+    const Interval y = has_rows ? scaled(t, level_.height, shift) : Interval(0.0);
+    const Interval z = is_box ? scaled(r, level_.slices, shift) : Interval(static_cast<double>(face));
+    if (!is_narrow(x) || !is_narrow(y) || !is_narrow(z)) return anything();
+    bool is_first = true;
+    Colour result;
+    for (std::int64_t k = first_of(z); k <= last_of(z); ++k)
+      for (std::int64_t j = first_of(y); j <= last_of(y); ++j)
+        for (std::int64_t i = first_of(x); i <= last_of(x); ++i) {
+          const Colour one = is_nearest() ? texel(i, j, k) : mean(x, y, z, i, j, k);
+          result = is_first ? one : hull_of(result, one);
+          is_first = false;
+        }
+    return result;
   }
-  return colour;
+
+ private:
+  bool is_nearest() const { return sampler_.texels == TexelFilter::nearest; }
+  static bool is_narrow(Interval a) { return a.is_known() && std::max(-a.low, a.high) < 1e12 && a.high - a.low < 4; }
+
+  /// A coordinate in texels, with the errors of reducing and scaling it.
+  static Interval scaled(Interval u, int size, double shift) {
+    const double margin = (std::max({std::abs(u.low), std::abs(u.high), 1.0}) + 1) * size * 0x1p-22;
+    return {u.low * size - shift - margin, u.high * size - shift + margin};
+  }
+
+  /// Bounds of all texels and the border.
+  Colour anything() const {
+    Colour all = border();
+    for (const Colour& one : level_.texels) all = hull_of(all, one);
+    if (texture_.is_depth && sampler_.compare) return every({0, 1});
+    return all;
+  }
+
+  Colour border() const {
+    Colour colour;
+    for (int c = 0; c < 4; ++c) colour[static_cast<std::size_t>(c)] = widened(static_cast<double>(sampler_.border[c]));
+    if (texture_.is_depth) colour = {colour[0], colour[0], colour[0], 1.0};
+    return colour;
+  }
+
+  Colour compared(const Colour& texel) const {
+    if (!texture_.is_depth || !sampler_.compare) return texel;
+    const Outcome outcome = outcome_of(*sampler_.compare, reference_, texel[0].low);
+    const Interval truth = outcome == Outcome::yes ? Interval(1.0) : outcome == Outcome::no ? Interval(0.0) : Interval{0, 1};
+    return {truth, truth, truth, 1.0};
+  }
+
+  Colour texel(std::int64_t i, std::int64_t j, std::int64_t k) const {
+    if (texture_.kind == TextureKind::cube) {
+      const auto within = [&](std::int64_t a) { return is_nearest() ? std::clamp<std::int64_t>(a, 0, level_.width - 1) : a; };
+      return compared(cube_texel(level_, within(i), within(j), static_cast<int>(k)));
+    }
+    const int x = wrapped(i, level_.width, sampler_.wrap_u);
+    const int y = texture_.kind == TextureKind::one_dimensional ? 0 : wrapped(j, level_.height, sampler_.wrap_v);
+    const int z = texture_.kind == TextureKind::three_dimensional ? wrapped(k, level_.slices, sampler_.wrap_w) : 0;
+    return compared(x < 0 || y < 0 || z < 0 ? border() : level_.at(x, y, z));
+  }
+
+  /// A corner of a cube has three texels around it: the fourth tap is their mean.
+  Colour tap(std::int64_t i, std::int64_t j, std::int64_t k, std::int64_t di, std::int64_t dj) const {
+    const auto beyond = [&](std::int64_t a) { return a < 0 || a >= level_.width; };
+    if (texture_.kind != TextureKind::cube || !beyond(i + di) || !beyond(j + dj)) return texel(i + di, j + dj, k);
+    const Colour a = texel(i + 1 - di, j + dj, k), b = texel(i + di, j + 1 - dj, k), c = texel(i + 1 - di, j + 1 - dj, k);
+    Colour colour;
+    for (std::size_t n = 0; n < 4; ++n) colour[n] = widened(((a[n] + b[n]) + c[n]) / Interval(3.0), 0x1p-21);
+    return colour;
+  }
+
+  Colour mean(Interval x, Interval y, Interval z, std::int64_t i, std::int64_t j, std::int64_t k) const {
+    const auto row = [&](std::int64_t dj, std::int64_t slice) {
+      return mixed(tap(i, j, slice, 0, dj), tap(i, j, slice, 1, dj), fraction(x, i));
+    };
+    const auto slice = [&](std::int64_t number) {
+      return texture_.kind == TextureKind::one_dimensional ? row(0, number) : mixed(row(0, number), row(1, number), fraction(y, j));
+    };
+    return texture_.kind == TextureKind::three_dimensional ? mixed(slice(k), slice(k + 1), fraction(z, k)) : slice(k);
+  }
+
+  const Texture& texture_;
+  const Sampler& sampler_;
+  const TextureLevel& level_;
+  Interval reference_;
+};
+
+Colour read_level(const Texture& texture, const Sampler& sampler, const TexturePoint& point, std::size_t number) {
+  const LevelReader reader(texture, sampler, texture.levels[number], point.reference);
+  if (texture.kind != TextureKind::cube) return reader.read(point.s, point.t, point.r, 0);
+  bool is_first = true;
+  Colour result;
+  for (const CubeFace& face : faces_of({point.s, point.t, point.r})) {
+    const Colour one = reader.read(face.s, face.t, 0.0, face.number);
+    result = is_first ? one : hull_of(result, one);
+    is_first = false;
+  }
+  return is_first ? every(unknown()) : result;
 }
 
-/// A coordinate in texels, with the errors of reducing and scaling it.
-Interval scaled(Interval u, int size, double shift) {
-  const double margin = (std::max({std::abs(u.low), std::abs(u.high), 1.0}) + 1) * size * 0x1p-22;
-  return {u.low * size - shift - margin, u.high * size - shift + margin};
+/// The level of detail for a change of so many texels from pixel to pixel.
+Interval level_of_detail(const Sampler& sampler, Interval change, double last) {
+  if (!change.is_known()) return {0, last};
+  const auto lod = [&](double texels, double error) {
+    if (texels <= 0) return -1e3;  // no change at all: the largest level
+    const double log = std::log2(texels);
+    return log + error * (1 + std::abs(log)) * 1e-6 + static_cast<double>(sampler.lod_bias);
+  };
+  const Interval unclamped{lod(change.low, -1), lod(change.high, 1)};
+  return clamped(clamped(unclamped, static_cast<double>(sampler.min_lod), static_cast<double>(sampler.max_lod)), 0, last);
 }
 
 }  // namespace
 
-Colour sample(const Texture& texture, const Sampler& sampler, Interval u, Interval v) {
-  const bool nearest = sampler.texels == TexelFilter::nearest;
-  if (!u.is_known() || !v.is_known()) return {unknown(), unknown(), unknown(), unknown()};
-  const Interval x = scaled(u, texture.width, nearest ? 0 : 0.5), y = scaled(v, texture.height, nearest ? 0 : 0.5);
-  if (std::max({-x.low, x.high, -y.low, y.high}) > 1e15 || x.high - x.low > kWhole || y.high - y.low > kWhole ||
-      (x.high - x.low + 1) * (y.high - y.low + 1) > 64)
-    return hull_of(anything(), {Interval(static_cast<double>(sampler.border.r)), Interval(static_cast<double>(sampler.border.g)),
-                                Interval(static_cast<double>(sampler.border.b)), Interval(static_cast<double>(sampler.border.a))});
-  const auto first = [](Interval a) { return static_cast<std::int64_t>(std::floor(a.low)); };
-  const auto last = [](Interval a) { return static_cast<std::int64_t>(std::floor(a.high)); };
+Colour sample(const Texture& texture, const Sampler& sampler, const TexturePoint& point) {
+  if (!point.s.is_known() || !point.t.is_known() || !point.r.is_known()) return every(unknown());
+  const double last = static_cast<double>(texture.levels.size() - 1);
+  if (sampler.mipmaps == MipmapFilter::none || last == 0) return read_level(texture, sampler, point, 0);
+  const Interval lod = level_of_detail(sampler, point.change, last);
+  const auto level = [&](double number) { return read_level(texture, sampler, point, static_cast<std::size_t>(std::clamp(number, 0.0, last))); };
   bool is_first = true;
   Colour result;
-  for (std::int64_t j = first(y); j <= last(y); ++j)
-    for (std::int64_t i = first(x); i <= last(x); ++i) {
-      const Colour one = nearest ? texel(texture, sampler, i, j)
-                                 : bilinear(texture, sampler, i, j, fraction(x, i), fraction(y, j));
-      result = is_first ? one : hull_of(result, one);
-      is_first = false;
-    }
+  const auto add = [&](const Colour& one) {
+    result = is_first ? one : hull_of(result, one);
+    is_first = false;
+  };
+  if (sampler.mipmaps == MipmapFilter::nearest) {
+    for (double i = std::ceil(lod.low + 0.5) - 1; i <= std::ceil(lod.high + 0.5) - 1; ++i) add(level(i));
+  } else {
+    for (double i = std::floor(lod.low); i <= std::floor(lod.high); ++i)
+      add(mixed(level(i), level(i + 1), fraction(lod, static_cast<std::int64_t>(i))));
+  }
   return result;
 }
 

@@ -11,6 +11,30 @@ float row_times(const glm::mat4& m, int row, const glm::vec4& p) {
   return ((first + second) + third) + m[3][row];
 }
 
+Interval product(const glm::vec4& plane, const std::array<Interval, 4>& p) {
+  const auto factor = [&](int i) { return Interval(static_cast<double>(plane[i])); };
+  return ((factor(0) * p[0] + factor(1) * p[1]) + factor(2) * p[2]) + factor(3) * p[3];
+}
+
+glm::vec4 matrix_row(const glm::mat4& m, int row) { return {m[0][row], m[1][row], m[2][row], m[3][row]}; }
+
+/// (s, t, r, q) of a unit: each from its source, then all times the matrix.
+std::array<Interval, 4> unit_coordinates(const Draw& draw, const InputVertex& in, std::size_t unit) {
+  const TexCoordUnit& state = draw.texcoord_units[unit];
+  const auto exact = [](float x) { return Interval(static_cast<double>(x)); };
+  const std::array<Interval, 4> object{exact(in.position.x), exact(in.position.y), exact(in.position.z), 1.0};
+  std::array<Interval, 4> eye{0.0, 0.0, 0.0, 1.0}, made;
+  for (int i = 0; i < 3; ++i) eye[static_cast<std::size_t>(i)] = product(matrix_row(draw.view_from_object, i), object);
+  const glm::vec4 own = draw.has_unit_texcoords ? in.unit_texcoord[unit] : glm::vec4(in.texcoord.x, in.texcoord.y, 0, 1);
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (state.source[i] == TexCoordSource::vertex) made[i] = exact(own[static_cast<int>(i)]);
+    else made[i] = product(state.plane[i], state.source[i] == TexCoordSource::object_linear ? object : eye);
+  }
+  std::array<Interval, 4> coordinates;
+  for (int i = 0; i < 4; ++i) coordinates[static_cast<std::size_t>(i)] = product(matrix_row(state.matrix, i), made);
+  return coordinates;
+}
+
 ClipVertex transformed(const Draw& draw, const InputVertex& in) {
   ClipVertex out;
   if (draw.space == PositionSpace::object) {
@@ -32,6 +56,11 @@ ClipVertex transformed(const Draw& draw, const InputVertex& in) {
   out.front[kTexcoord + 1] = out.back[kTexcoord + 1] = static_cast<double>(in.texcoord.y);
   out.front[kFogCoordinate] = out.back[kFogCoordinate] =
       static_cast<double>(draw.has_fog_coordinates ? in.fog_coordinate : out.w);
+  if (draw.program.kind == ProgramKind::fixed_function)
+    for (std::size_t unit = 0; unit < kTextureUnits; ++unit) {
+      const std::array<Interval, 4> coordinates = unit_coordinates(draw, in, unit);
+      for (std::size_t i = 0; i < 4; ++i) out.front[kUnitCoordinates + 4 * unit + i] = out.back[kUnitCoordinates + 4 * unit + i] = coordinates[i];
+    }
   out.edge_flag = in.edge_flag;
   return out;
 }

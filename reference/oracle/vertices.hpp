@@ -11,7 +11,7 @@
 namespace tuberia::oracle {
 
 /// All that is interpolated; colours first.
-inline constexpr std::size_t kColour = 0, kTexcoord = 4, kFogCoordinate = 6, kScalars = 7;
+inline constexpr std::size_t kColour = 0, kTexcoord = 4, kFogCoordinate = 6, kUnitCoordinates = 7, kScalars = 7 + 4 * kTextureUnits;
 using Scalars = std::array<Interval, kScalars>;
 
 struct ClipVertex {

@@ -29,7 +29,7 @@ template <class... Parts>
 void tell(std::string& first, const Parts&... parts) {
   if (!first.empty()) return;
   std::ostringstream sentence;
-  sentence.precision(9);
+  sentence.precision(12);
   (sentence << ... << parts);
   first = sentence.str();
 }

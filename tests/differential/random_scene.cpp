@@ -15,7 +15,8 @@ namespace {
 using namespace oracle;
 
 /// How a draw's vertices are strewn.
-enum class Style { lattice, perspective, wild, huge, sliver };
+/// (grid: few places, so that edges are level, upright, shared, and run through centres and samples)
+enum class Style { lattice, perspective, wild, huge, sliver, grid };
 
 /// A number that may stand on a lattice: whole pixels, halves, units, or anywhere.
 double lattice_pixels(Dice& dice, int size) {
@@ -55,6 +56,12 @@ glm::vec4 random_position(Dice& dice, Style style, const TargetDescription& targ
   switch (style) {
     case Style::lattice: return clip_from_pixels(x, y, random_z(dice), 1, target);
     case Style::sliver: return clip_from_pixels(x, y * 0.02 + target.height * 0.5, random_z(dice), 1, target);
+    case Style::grid: {
+      const double step = dice.one_in(2) ? 4 : dice.one_in(2) ? 0.5 : 1.0 / 16;
+      const double corner = dice.one_in(2) ? 4 : 4.5;
+      return clip_from_pixels(corner + step * static_cast<double>(dice.below(4)), corner + step * static_cast<double>(dice.below(4)),
+                              random_z(dice), dice.one_in(2) ? 1 : 2, target);
+    }
     case Style::perspective: {
       const double w = dice.one_in(3) ? std::exp2(static_cast<double>(dice.below(9)) - 4) : static_cast<double>(dice.between(0.05f, 10));
       return clip_from_pixels(x, y, random_z(dice), w, target);
@@ -70,10 +77,10 @@ glm::vec4 random_position(Dice& dice, Style style, const TargetDescription& targ
 }
 
 void strew_vertices(Dice& dice, Draw& draw, const TargetDescription& target, int count) {
-  const auto style = static_cast<Style>(dice.weighted({5, 4, 3, 2, 1}));
+  const auto style = static_cast<Style>(dice.weighted({5, 4, 3, 2, 1, 3}));
   for (int i = 0; i < count; ++i) {
     InputVertex v;
-    const Style own = dice.one_in(8) ? static_cast<Style>(dice.below(5)) : style;
+    const Style own = dice.one_in(8) ? static_cast<Style>(dice.below(6)) : style;
     v.position = random_position(dice, own, target);
     if (i > 0 && dice.one_in(12)) v.position = draw.vertices[static_cast<std::size_t>(dice.below(i))].position;
     if (dice.one_in(40)) v.position = glm::vec4(0);
@@ -83,6 +90,7 @@ void strew_vertices(Dice& dice, Draw& draw, const TargetDescription& target, int
 }
 
 void give_attributes(Dice& dice, Draw& draw) {
+  draw.has_unit_texcoords = dice.one_in(2);
   const bool any_range = dice.one_in(6), opaque = dice.one_in(2);
   const bool of_codes = dice.one_in(2);
   const auto intensity = [&] {
@@ -96,6 +104,8 @@ void give_attributes(Dice& dice, Draw& draw) {
       v.back_colour[i] = i == 3 && opaque ? 1 : intensity();
     }
     v.texcoord = {dice.between(-reach, reach), dice.between(-reach, reach)};
+    for (glm::vec4& unit : v.unit_texcoord)
+      unit = {dice.between(-reach, reach), dice.between(-reach, reach), dice.between(-1, 2), dice.one_in(2) ? 1 : dice.between(0.5f, 2)};
     v.fog_coordinate = dice.between(-1, 4);
     v.edge_flag = !dice.one_in(3);
   }
@@ -125,15 +135,9 @@ void random_geometry(Dice& dice, Draw& draw, const TargetDescription& target) {
     for (int i = 0; i < count; ++i)
       draw.indices.push_back(static_cast<std::uint32_t>(dice.below(static_cast<std::int64_t>(draw.vertices.size()))));
   if (numbered) number_primitives(draw);
-  if (!kEnabled.clip_and_screen_positions) {
+  if (dice.one_in(8)) {
     draw.space = PositionSpace::object;
-    draw.clip_from_object = glm::mat4(0);
-    draw.clip_from_object[0][0] = draw.clip_from_object[1][1] = draw.clip_from_object[2][3] = 1;
-    draw.clip_from_object[2][2] = dice.between(-1, 1);
-    draw.clip_from_object[3][2] = dice.between(-1, 1);
-    for (InputVertex& v : draw.vertices) v.position.z = v.position.w;
-  } else if (dice.one_in(8)) {
-    draw.space = PositionSpace::object;
+    random_texture_coordinates(dice, draw);
     for (int column = 0; column < 4; ++column)
       for (int row = 0; row < 4; ++row)
         draw.clip_from_object[column][row] = (column == row ? 1.0f : 0.0f) + (dice.one_in(2) ? dice.between(-0.5f, 0.5f) : 0.0f);
@@ -153,26 +157,14 @@ void random_geometry(Dice& dice, Draw& draw, const TargetDescription& target) {
   }
 }
 
-std::shared_ptr<const oracle::Texture> random_texture(Dice& dice) {
-  oracle::Texture texture;
-  texture.width = 1 + static_cast<int>(dice.below(8));
-  texture.height = 1 + static_cast<int>(dice.below(8));
-  texture.is_srgb = dice.one_in(2);
-  for (int i = 0; i < texture.width * texture.height; ++i) {
-    const auto code = [&] { return static_cast<std::uint8_t>(dice.below(256)); };
-    texture.texels.push_back({code(), code(), code(), code()});
-  }
-  return std::make_shared<const oracle::Texture>(texture);
-}
-
 TargetDescription random_target(Dice& dice) {
   TargetDescription target;
   target.width = dice.one_in(10) ? 1 + static_cast<int>(dice.below(80)) : 8 + static_cast<int>(dice.below(24));
   target.height = dice.one_in(10) ? 1 + static_cast<int>(dice.below(80)) : 8 + static_cast<int>(dice.below(24));
-  target.colour = static_cast<oracle::ColourFormat>(dice.weighted(kEnabled.half_floats ? std::vector<int>{4, 2, 1, 2} : std::vector<int>{4, 2, 1}));
+  target.colour = static_cast<oracle::ColourFormat>(dice.weighted({4, 2, 1, 2}));
   target.depth = static_cast<oracle::DepthFormat>(dice.below(3));
-  target.has_stencil = kEnabled.stencil && dice.one_in(2);
-  if (kEnabled.multisampling && dice.one_in(3)) target.samples = 1 << dice.below(5);
+  target.has_stencil = dice.one_in(2);
+  if (dice.one_in(3)) target.samples = 1 << dice.below(5);
   for (int i = 0; i < 4; ++i) target.clear_colour[i] = static_cast<float>(dice.below(256)) / 255.0f;
   target.clear_depth = dice.one_in(3) ? dice.between(0, 1) : dice.one_in(4) ? 0.0f : 1.0f;
   if (target.has_stencil) target.clear_stencil = static_cast<std::uint8_t>(dice.below(256));
@@ -190,10 +182,7 @@ Scene random_scene(std::uint64_t seed) {
   for (int i = 0; i < draws; ++i) {
     Draw draw;
     random_state(dice, draw, scene.target);
-    if (draw.program.kind == ProgramKind::textured || draw.program.kind == ProgramKind::textured_gouraud) {
-      scene.textures.push_back(random_texture(dice));
-      draw.program.texture = scene.textures.back().get();
-    }
+    random_textures(dice, draw, scene);
     random_geometry(dice, draw, scene.target);
     scene.draws.push_back(std::move(draw));
   }

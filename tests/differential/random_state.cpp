@@ -14,7 +14,7 @@ Choice any(Dice& dice, int choices) {
 
 void random_clipping(Dice& dice, Draw& draw) {
   draw.volume = any<oracle::ClipVolume>(dice, 2);
-  if (!kEnabled.user_planes || !dice.one_in(4)) return;
+  if (!dice.one_in(4)) return;
   const std::int64_t planes = dice.one_in(6) ? 8 : 1 + dice.below(2);
   for (std::int64_t i = 0; i < planes; ++i) {
     glm::dvec4 plane{dice.between(-1, 1), dice.between(-1, 1), dice.between(-1, 1), dice.between(-0.3f, 1)};
@@ -43,12 +43,12 @@ void random_viewport(Dice& dice, Draw& draw, const TargetDescription& target) {
 void random_polygons(Dice& dice, Draw& draw) {
   draw.front_face = any<oracle::Winding>(dice, 2);
   if (dice.one_in(3)) draw.cull = any<oracle::CullFace>(dice, 3);
-  if (kEnabled.two_sided) draw.two_sided_colours = dice.one_in(4);
-  if (kEnabled.polygon_modes && dice.one_in(3)) {
+  draw.two_sided_colours = dice.one_in(4);
+  if (dice.one_in(3)) {
     draw.front_mode = any<oracle::PolygonMode>(dice, 3);
     draw.back_mode = any<oracle::PolygonMode>(dice, 3);
   }
-  if (!kEnabled.polygon_offset || !dice.one_in(4)) return;
+  if (!dice.one_in(4)) return;
   oracle::PolygonOffset& offset = draw.polygon_offset;
   if (dice.one_in(2)) offset.factor = dice.between(-2, 2);
   if (dice.one_in(2)) offset.units = std::exp2(static_cast<float>(dice.below(20))) * dice.between(-1, 1);
@@ -67,18 +67,12 @@ void random_points_and_lines(Dice& dice, Draw& draw) {
 }
 
 void random_program(Dice& dice, Draw& draw) {
-  draw.program.kind = static_cast<ProgramKind>(dice.weighted({2, 4, 2, 1}));
+  draw.program.kind = static_cast<ProgramKind>(dice.weighted({2, 4, 2, 1, 4}));
   draw.flat_shading = dice.one_in(5);
   draw.program.cut_out = dice.one_in(3);
   draw.program.alpha_cutoff = dice.between(0, 1);
-  draw.program.sampler.texels = any<oracle::TexelFilter>(dice, 2);
-  draw.program.sampler.wrap_u = any<oracle::Wrap>(dice, 4);
-  draw.program.sampler.wrap_v = any<oracle::Wrap>(dice, 4);
-  for (int i = 0; i < 4; ++i) {
-    draw.program.sampler.border[i] = dice.between(0, 1);
-    draw.program.tint[i] = dice.one_in(2) ? 1 : dice.between(0, 1);
-  }
-  if (kEnabled.fog && dice.one_in(4)) {
+  for (int i = 0; i < 4; ++i) draw.program.tint[i] = dice.one_in(2) ? 1 : dice.between(0, 1);
+  if (dice.one_in(4)) {
     draw.fog.mode = any<oracle::FogMode>(dice, 4);
     for (int i = 0; i < 4; ++i) draw.fog.colour[i] = dice.between(0, 1);
     draw.fog.density = dice.between(0, 2);
@@ -89,11 +83,11 @@ void random_program(Dice& dice, Draw& draw) {
 }
 
 void random_tests(Dice& dice, Draw& draw, const TargetDescription& target) {
-  if (kEnabled.alpha_test && dice.one_in(5)) {
+  if (dice.one_in(5)) {
     draw.alpha_test = any<oracle::Compare>(dice, 8);
     draw.alpha_reference = dice.one_in(2) ? dice.between(0, 1) : static_cast<float>(dice.below(3)) / 2;
   }
-  if (kEnabled.multisampling) draw.alpha_to_coverage = dice.one_in(6);
+  draw.alpha_to_coverage = dice.one_in(6);
   draw.depth_test = dice.one_in(2) ? oracle::Compare::always : any<oracle::Compare>(dice, 8);
   draw.depth_write = !dice.one_in(4);
   if (!target.has_stencil || dice.one_in(4)) return;
@@ -111,8 +105,7 @@ void random_tests(Dice& dice, Draw& draw, const TargetDescription& target) {
 }
 
 void random_blending(Dice& dice, Draw& draw, const TargetDescription& target) {
-  const bool functions = kEnabled.blend_function;
-  draw.blend.mode = static_cast<oracle::BlendMode>(dice.weighted(functions ? std::vector<int>{3, 2, 2, 4} : std::vector<int>{3, 2, 2}));
+  draw.blend.mode = static_cast<oracle::BlendMode>(dice.weighted({3, 2, 2, 4}));
   draw.blend.write = !dice.one_in(15);
   for (oracle::BlendFunction* function : {&draw.blend.colour, &draw.blend.alpha}) {
     function->source = any<oracle::BlendFactor>(dice, 15);
@@ -120,16 +113,15 @@ void random_blending(Dice& dice, Draw& draw, const TargetDescription& target) {
     function->equation = any<oracle::BlendEquation>(dice, 5);
   }
   for (int i = 0; i < 4; ++i) draw.blend.constant[i] = dice.between(0, 1);
-  if (kEnabled.logic && target.colour == oracle::ColourFormat::rgba8 && dice.one_in(6)) draw.blend.logic = any<oracle::LogicOperation>(dice, 17);
-  if (kEnabled.mask && dice.one_in(6))
+  if (target.colour == oracle::ColourFormat::rgba8 && dice.one_in(6)) draw.blend.logic = any<oracle::LogicOperation>(dice, 17);
+  if (dice.one_in(6))
     for (bool& channel : draw.blend.mask) channel = dice.one_in(2);
 }
 
 }  // namespace
 
 void random_state(Dice& dice, Draw& draw, const TargetDescription& target) {
-  const bool all_topologies = kEnabled.points_and_lines;
-  draw.topology = static_cast<oracle::Topology>(dice.weighted(all_topologies ? std::vector<int>{6, 3, 3, 3, 2, 2, 3} : std::vector<int>{3, 1, 1}));
+  draw.topology = static_cast<oracle::Topology>(dice.weighted({6, 3, 3, 3, 2, 2, 3}));
   random_clipping(dice, draw);
   random_viewport(dice, draw, target);
   random_polygons(dice, draw);

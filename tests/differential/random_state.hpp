@@ -28,15 +28,13 @@ class Dice : public test::Random {
   }
 };
 
-/// What the generator may use.
-struct Enabled {
-  bool points_and_lines = true, polygon_modes = true, user_planes = true, polygon_offset = true, two_sided = true;
-  bool fog = true, alpha_test = true, stencil = true, blend_function = true, logic = true, mask = true;
-  bool half_floats = true, multisampling = true, clip_and_screen_positions = true;
-};
-inline constexpr Enabled kEnabled{};
-
-/// Topology and all state, for a target; the program's texture is still missing.
+/// Topology and all state, for a target; the program's textures are still missing.
 void random_state(Dice&, oracle::Draw&, const TargetDescription&);
+
+/// The textures that the program needs, kept by the scene, and samplers and combinations to read them with.
+void random_textures(Dice&, oracle::Draw&, Scene&);
+
+/// Texture coordinates made from object positions, for some units, and matrices.
+void random_texture_coordinates(Dice&, oracle::Draw&);
 
 }  // namespace tuberia::differential

@@ -54,6 +54,13 @@ void plain_state(Scene& scene, Machines& machines, std::size_t i) {
   reset(&Draw::depth_write);
   reset(&Draw::blend);
   reset(&Draw::volume);
+  reset(&Draw::texcoord_units);
+  reset(&Draw::has_unit_texcoords);
+  for (std::size_t k = 0; k < oracle::kTextureUnits; ++k) {
+    keep_if_wrong(scene, machines, [&](Scene& s) { s.draws[i].program.units[k] = {}; });
+    keep_if_wrong(scene, machines, [&](Scene& s) { s.draws[i].program.units[k].colour = {}; });
+    keep_if_wrong(scene, machines, [&](Scene& s) { s.draws[i].program.units[k].alpha = {}; });
+  }
   keep_if_wrong(scene, machines, [&](Scene& s) { s.draws[i].blend.mask = {true, true, true, true}; });
   keep_if_wrong(scene, machines, [&](Scene& s) { s.draws[i].blend.colour = {}; });
   keep_if_wrong(scene, machines, [&](Scene& s) { s.draws[i].blend.alpha = {}; });
@@ -111,8 +118,17 @@ void describe(std::ostream& out, const oracle::Draw& d) {
   if (d.program.texture != nullptr) {
     const auto& s = d.program.sampler;
     out << "  texture " << d.program.texture->width << "x" << d.program.texture->height << " srgb " << d.program.texture->is_srgb << " filter "
-        << static_cast<int>(s.texels) << " wraps " << static_cast<int>(s.wrap_u) << " " << static_cast<int>(s.wrap_v) << " cut out "
+        << static_cast<int>(s.texels) << " mipmaps " << static_cast<int>(s.mipmaps) << " wraps " << static_cast<int>(s.wrap_u) << " " << static_cast<int>(s.wrap_v) << " cut out "
         << d.program.cut_out << " below " << d.program.alpha_cutoff << "\n";
+  }
+  for (const auto& unit : d.program.units) {
+    if (unit.texture == nullptr) continue;
+    const auto& s = unit.sampler;
+    out << "  unit: texture kind " << static_cast<int>(unit.texture->kind) << " " << unit.texture->width << "x" << unit.texture->height
+        << "x" << unit.texture->slices << " srgb " << unit.texture->is_srgb << " depth " << unit.texture->is_depth << " filter "
+        << static_cast<int>(s.texels) << " mipmaps " << static_cast<int>(s.mipmaps) << " wraps " << static_cast<int>(s.wrap_u) << " "
+        << static_cast<int>(s.wrap_v) << " " << static_cast<int>(s.wrap_w) << " compare " << (s.compare ? static_cast<int>(*s.compare) : -1)
+        << " colour " << static_cast<int>(unit.colour.function) << " alpha " << static_cast<int>(unit.alpha.function) << "\n";
   }
   if (d.fog.mode != p.fog.mode)
     out << "  fog " << static_cast<int>(d.fog.mode) << " density " << d.fog.density << " " << d.fog.start << " to " << d.fog.end
@@ -135,6 +151,16 @@ void describe(std::ostream& out, const oracle::Draw& d) {
       out << "  function " << static_cast<int>(f.source) << " " << static_cast<int>(f.destination) << " " << static_cast<int>(f.equation) << "\n";
   tell_if(out, "logic", b.logic, p.blend.logic);
   if (b.mask != p.blend.mask) out << "  mask " << b.mask[0] << b.mask[1] << b.mask[2] << b.mask[3] << "\n";
+  const oracle::TexCoordUnit plain_unit;
+  for (const auto& unit : d.texcoord_units) {
+    if (unit.matrix == plain_unit.matrix && unit.source == plain_unit.source) continue;
+    out << "  texture coordinates from " << static_cast<int>(unit.source[0]) << static_cast<int>(unit.source[1])
+        << static_cast<int>(unit.source[2]) << static_cast<int>(unit.source[3]) << ", matrix";
+    for (int row = 0; row < 4; ++row)
+      for (int column = 0; column < 4; ++column) out << " " << unit.matrix[column][row];
+    out << "\n";
+  }
+  if (d.has_unit_texcoords) out << "  own texture coordinates for each unit\n";
   for (const auto& v : d.vertices) {
     if (d.space == oracle::PositionSpace::screen) out << "  vertex " << v.screen_x << " " << v.screen_y << " " << v.screen_depth << " w " << v.position.w;
     else out << "  vertex " << v.position.x << " " << v.position.y << " " << v.position.z << " " << v.position.w;

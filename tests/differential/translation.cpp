@@ -1,7 +1,9 @@
 #include "tests/differential/translation.hpp"
 
+#include <algorithm>
+
+#include "pipeline/programs/fixed_function.hpp"
 #include "pipeline/programs/programs.hpp"
-#include "tests/differential/random_state.hpp"
 
 namespace tuberia::differential {
 namespace {
@@ -14,26 +16,92 @@ constexpr To same(From choice) {
 
 Rgba32F rgba(const glm::vec4& c) { return {c.r, c.g, c.b, c.a}; }
 
+Sampler sampler_of(const oracle::Sampler& from) {
+  Sampler sampler;
+  sampler.texels = same<TexelFilter>(from.texels);
+  sampler.mipmaps = same<MipmapFilter>(from.mipmaps);
+  sampler.wrap_u = same<Wrap>(from.wrap_u);
+  sampler.wrap_v = same<Wrap>(from.wrap_v);
+  sampler.wrap_w = same<Wrap>(from.wrap_w);
+  sampler.border = rgba(from.border);
+  sampler.lod_bias = from.lod_bias;
+  sampler.min_lod = from.min_lod;
+  sampler.max_lod = from.max_lod;
+  if (from.compare) sampler.compare = same<Compare>(*from.compare);
+  return sampler;
+}
+
+/// One slice or face.
+Image<Rgba8> codes_of(const oracle::Texture& texture, int slice) {
+  Image<Rgba8> image(texture.width, texture.height);
+  const std::size_t size = image.pixels().size();
+  for (std::size_t i = 0; i < size; ++i) {
+    const auto& t = texture.texels[static_cast<std::size_t>(slice) * size + i];
+    image.pixels()[i] = {t[0], t[1], t[2], t[3]};
+  }
+  return image;
+}
+
+Texture made_texture(const oracle::Texture& from) {
+  const auto encoding = from.is_srgb ? TextureEncoding::srgb : TextureEncoding::linear;
+  if (from.is_depth) {
+    Image<float> depths(from.width, from.height);
+    std::copy(from.depths.begin(), from.depths.end(), depths.pixels().begin());
+    return *Texture::create_depth(depths);
+  }
+  std::vector<Image<Rgba8>> slices;
+  for (int slice = 0; slice < from.slices; ++slice) slices.push_back(codes_of(from, slice));
+  switch (from.kind) {
+    case oracle::TextureKind::one_dimensional: return *Texture::create_1d(slices[0].pixels(), encoding, from.has_mipmaps);
+    case oracle::TextureKind::three_dimensional: return *Texture::create_3d(slices, encoding, from.has_mipmaps);
+    case oracle::TextureKind::cube:
+      return *Texture::create_cube(std::span<const Image<Rgba8>, 6>(slices.data(), 6), encoding, from.has_mipmaps);
+    case oracle::TextureKind::two_dimensional: break;
+  }
+  return *Texture::create(slices[0], encoding, from.has_mipmaps);
+}
+
+std::shared_ptr<const Texture> texture_of(const oracle::Texture& from) { return std::make_shared<const Texture>(made_texture(from)); }
+
+Combine combine_of(const oracle::Combine& from) {
+  Combine combine;
+  combine.function = same<CombineFunction>(from.function);
+  for (std::size_t i = 0; i < 3; ++i)
+    combine.argument[i] = {same<CombineSource>(from.argument[i].source), same<CombineOperand>(from.argument[i].operand)};
+  combine.scale = from.scale;
+  return combine;
+}
+
+FragmentProgram units_of(const oracle::Program& program) {
+  FixedFunctionUniforms uniforms;
+  for (std::size_t k = 0; k < oracle::kTextureUnits; ++k) {
+    const oracle::TextureUnit& unit = program.units[k];
+    if (unit.texture == nullptr) continue;
+    uniforms.units[k] = {texture_of(*unit.texture), sampler_of(unit.sampler), combine_of(unit.colour), combine_of(unit.alpha), rgba(unit.constant)};
+  }
+  return fixed_function(std::move(uniforms));
+}
+
 FragmentProgram program_of(const oracle::Program& program) {
   if (program.kind == oracle::ProgramKind::flat) return flat();
   if (program.kind == oracle::ProgramKind::gouraud) return gouraud();
-  Image<Rgba8> image(program.texture->width, program.texture->height);
-  for (std::size_t i = 0; i < program.texture->texels.size(); ++i) {
-    const auto& t = program.texture->texels[i];
-    image.pixels()[i] = {t[0], t[1], t[2], t[3]};
-  }
-  const auto encoding = program.texture->is_srgb ? TextureEncoding::srgb : TextureEncoding::linear;
+  if (program.kind == oracle::ProgramKind::fixed_function) return units_of(program);
   TexturedUniforms uniforms;
-  uniforms.texture = std::make_shared<const Texture>(*Texture::create(image, encoding, false));
-  uniforms.sampler = {.texels = same<TexelFilter>(program.sampler.texels),
-                      .mipmaps = MipmapFilter::none,
-                      .wrap_u = same<Wrap>(program.sampler.wrap_u),
-                      .wrap_v = same<Wrap>(program.sampler.wrap_v),
-                      .border = rgba(program.sampler.border)};
+  uniforms.texture = texture_of(*program.texture);
+  uniforms.sampler = sampler_of(program.sampler);
   uniforms.tint = program.tint;
   uniforms.alpha_cutoff = program.alpha_cutoff;
   if (program.kind == oracle::ProgramKind::textured_gouraud) return textured_gouraud(std::move(uniforms));
   return textured(std::move(uniforms), program.cut_out);
+}
+
+void translate_texture_coordinates(const oracle::Draw& draw, TransformState& state) {
+  state.view_from_world = draw.view_from_object;
+  for (std::size_t k = 0; k < oracle::kTextureUnits; ++k) {
+    for (std::size_t i = 0; i < 4; ++i) state.texture_units[k].source[i] = same<TexCoordSource>(draw.texcoord_units[k].source[i]);
+    state.texture_units[k].plane = draw.texcoord_units[k].plane;
+    state.texture_units[k].matrix = draw.texcoord_units[k].matrix;
+  }
 }
 
 void translate_geometry(const oracle::Draw& draw, PipelineState& state) {
@@ -89,9 +157,11 @@ MeshArrays arrays_of(const oracle::Draw& draw) {
     if (draw.space == oracle::PositionSpace::screen) arrays.screen_positions.push_back({v.screen_x, v.screen_y, v.screen_depth, v.position.w});
     arrays.colours.push_back(v.colour);
     arrays.texcoords.push_back(v.texcoord);
+    if (draw.has_unit_texcoords)
+      for (std::size_t k = 0; k < oracle::kTextureUnits; ++k) arrays.unit_texcoords[k].push_back(v.unit_texcoord[k]);
     if (draw.two_sided_colours) arrays.back_colours.push_back(v.back_colour);
     if (draw.has_fog_coordinates) arrays.fog_coordinates.push_back(v.fog_coordinate);
-    if (kEnabled.polygon_modes) arrays.edge_flags.push_back(v.edge_flag ? 1 : 0);
+    arrays.edge_flags.push_back(v.edge_flag ? 1 : 0);
   }
   return arrays;
 }
@@ -100,9 +170,11 @@ DrawCall translated(const oracle::Draw& draw, const MeshArrays& arrays) {
   DrawCall call;
   call.mesh = {.positions = arrays.positions, .clip_positions = arrays.clip_positions, .screen_positions = arrays.screen_positions,
                .normals = {}, .texcoords = arrays.texcoords, .colours = arrays.colours, .custom = {},
-               .back_colours = arrays.back_colours, .unit_texcoords = {}, .fog_coordinates = arrays.fog_coordinates,
+               .back_colours = arrays.back_colours, .unit_texcoords = {arrays.unit_texcoords[0], arrays.unit_texcoords[1], arrays.unit_texcoords[2], arrays.unit_texcoords[3]},
+                .fog_coordinates = arrays.fog_coordinates,
                .edge_flags = arrays.edge_flags, .indices = arrays.indices};
   call.program = program_of(draw.program);
+  translate_texture_coordinates(draw, call.state.transform);
   translate_geometry(draw, call.state);
   translate_fragments(draw, call.state);
   call.count_fragments = true;

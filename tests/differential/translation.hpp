@@ -14,6 +14,7 @@ struct MeshArrays {
   std::vector<glm::vec4> clip_positions, colours, back_colours;
   std::vector<ScreenVertex> screen_positions;
   std::vector<glm::vec2> texcoords;
+  std::array<std::vector<glm::vec4>, oracle::kTextureUnits> unit_texcoords;
   std::vector<float> fog_coordinates;
   std::vector<std::uint8_t> edge_flags;
   std::vector<std::uint32_t> indices;
