@@ -92,7 +92,7 @@ void tell_if(std::ostream& out, const char* name, const T& value, const T& plain
   if (value != plain) out << "  " << name << " " << +static_cast<std::conditional_t<std::is_enum_v<T>, int, T>>(value) << "\n";
 }
 
-void describe(std::ostream& out, const oracle::Draw& d) {
+void describe_geometry(std::ostream& out, const oracle::Draw& d) {
   const oracle::Draw p;
   out << "draw: topology " << static_cast<int>(d.topology) << ", positions in space " << static_cast<int>(d.space) << "\n";
   tell_if(out, "volume", d.volume, p.volume);
@@ -114,6 +114,10 @@ void describe(std::ostream& out, const oracle::Draw& d) {
   tell_if(out, "round", d.round_points, p.round_points);
   tell_if(out, "line_width", d.line_width_pixels, p.line_width_pixels);
   if (d.stipple) out << "  stipple " << d.stipple->bits << " factor " << d.stipple->factor << "\n";
+}
+
+void describe_program(std::ostream& out, const oracle::Draw& d) {
+  const oracle::Draw p;
   tell_if(out, "program", d.program.kind, p.program.kind);
   if (d.program.texture != nullptr) {
     const auto& s = d.program.sampler;
@@ -130,6 +134,10 @@ void describe(std::ostream& out, const oracle::Draw& d) {
         << static_cast<int>(s.wrap_v) << " " << static_cast<int>(s.wrap_w) << " compare " << (s.compare ? static_cast<int>(*s.compare) : -1)
         << " colour " << static_cast<int>(unit.colour.function) << " alpha " << static_cast<int>(unit.alpha.function) << "\n";
   }
+}
+
+void describe_fragments(std::ostream& out, const oracle::Draw& d) {
+  const oracle::Draw p;
   if (d.fog.mode != p.fog.mode)
     out << "  fog " << static_cast<int>(d.fog.mode) << " density " << d.fog.density << " " << d.fog.start << " to " << d.fog.end
         << " own coordinates " << d.has_fog_coordinates << "\n";
@@ -151,6 +159,9 @@ void describe(std::ostream& out, const oracle::Draw& d) {
       out << "  function " << static_cast<int>(f.source) << " " << static_cast<int>(f.destination) << " " << static_cast<int>(f.equation) << "\n";
   tell_if(out, "logic", b.logic, p.blend.logic);
   if (b.mask != p.blend.mask) out << "  mask " << b.mask[0] << b.mask[1] << b.mask[2] << b.mask[3] << "\n";
+}
+
+void describe_vertices(std::ostream& out, const oracle::Draw& d) {
   const oracle::TexCoordUnit plain_unit;
   for (const auto& unit : d.texcoord_units) {
     if (unit.matrix == plain_unit.matrix && unit.source == plain_unit.source) continue;
@@ -170,6 +181,13 @@ void describe(std::ostream& out, const oracle::Draw& d) {
   if (!d.indices.empty()) out << "  indices";
   for (const std::uint32_t index : d.indices) out << " " << index;
   out << "\n";
+}
+
+void describe(std::ostream& out, const oracle::Draw& draw) {
+  describe_geometry(out, draw);
+  describe_program(out, draw);
+  describe_fragments(out, draw);
+  describe_vertices(out, draw);
 }
 
 }  // namespace
