@@ -12,6 +12,7 @@ Interval mapped(Interval a, double (*increasing)(double)) { return {increasing(a
 
 /// The share of the colour that the fog lets through.
 Interval fog_share(const Fog& fog, Interval c) {
+  if (!c.is_known()) return unknown();
   const Interval density = static_cast<double>(fog.density);
   const Interval start = static_cast<double>(fog.start), end = static_cast<double>(fog.end);
   if (fog.mode == FogMode::linear) {

@@ -8,6 +8,8 @@ namespace tuberia::oracle {
 namespace {
 
 Interval scalar_at(const Shape& shape, const Draw& draw, const FragmentWeights& w, std::size_t scalar) {
+  // Not even a constant survives weights that are no numbers.
+  if (!w.one.is_known() || !w.two.is_known()) return unknown();
   return draw.flat_shading ? shape.primitive().provoking[scalar] : interpolated(shape, w, scalar);
 }
 
@@ -78,7 +80,7 @@ Colour program_colour(const Shape& shape, const FragmentWeights& w, const Draw& 
   Colour colour;
   for (std::size_t i = 0; i < 4; ++i) {
     if (program.kind == ProgramKind::textured) colour[i] = static_cast<double>(program.tint[static_cast<int>(i)]);
-    else if (program.kind == ProgramKind::flat) colour[i] = shape.primitive().provoking[kColour + i];
+    else if (program.kind == ProgramKind::flat && w.one.is_known() && w.two.is_known()) colour[i] = shape.primitive().provoking[kColour + i];
     else colour[i] = scalar_at(shape, draw, w, kColour + i);
   }
   if (program.kind == ProgramKind::fixed_function) return through_units(shape, draw, colour, x, y);

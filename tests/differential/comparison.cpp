@@ -34,13 +34,15 @@ void tell(std::string& first, const Parts&... parts) {
   first = sentence.str();
 }
 
-void compare_counts(std::size_t number, const DrawStatistics& pipeline, const oracle::Counts& oracle, Tally& tally, std::string& first) {
+void compare_counts(std::size_t number, const DrawStatistics& pipeline, const oracle::Counts& oracle, bool fragments_are_counted,
+                    Tally& tally, std::string& first) {
   const auto check = [&](const char* what, std::int64_t a, std::int64_t b) {
     if (a == b) return;
     ++tally.counts;
     tell(first, "draw ", number, ": ", what, ": pipeline ", a, ", oracle ", b);
   };
   check("primitives assembled", pipeline.triangles_in, oracle.primitives_in);
+  if (!fragments_are_counted) return;
   check("fragments", pipeline.fragments, oracle.fragments);
   if (!oracle.are_certain) return;
   check("fragments shaded", pipeline.fragments_shaded, oracle.fragments_shaded);
@@ -170,7 +172,9 @@ Tally compare(const Scene& scene, Machines& machines, std::string& first) {
     const oracle::Draw& draw = scene.draws[i];
     ++tally.draws;
     const MeshArrays arrays = arrays_of(draw);
-    const Result<DrawStatistics> drawn = pipeline.draw(target, translated(draw, arrays));
+    DrawCall call = translated(draw, arrays);
+    call.count_fragments = scene.is_counted;
+    const Result<DrawStatistics> drawn = pipeline.draw(target, call);
     if (!drawn) {
       ++tally.refusals;
       tell(first, "draw ", i, " was refused: ", drawn.error().message);
@@ -178,7 +182,7 @@ Tally compare(const Scene& scene, Machines& machines, std::string& first) {
     }
     const oracle::Counts counts = oracle::draw(oracle_target, draw);
     tally.fragments += counts.fragments;
-    compare_counts(i, *drawn, counts, tally, first);
+    compare_counts(i, *drawn, counts, scene.is_counted, tally, first);
   }
   compare_targets(target, oracle_target, cleared, tally, first);
   return tally;

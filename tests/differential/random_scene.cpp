@@ -186,6 +186,7 @@ Scene random_scene(std::uint64_t seed) {
     random_geometry(dice, draw, scene.target);
     scene.draws.push_back(std::move(draw));
   }
+  scene.is_counted = dice.one_in(2);
   scene.threads = dice.one_in(8) ? 2 : 1;
   const auto sets = supported_instruction_sets();
   scene.instruction_set = sets[static_cast<std::size_t>(dice.below(static_cast<std::int64_t>(sets.size())))];

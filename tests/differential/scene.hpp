@@ -25,6 +25,7 @@ struct Scene {
   TargetDescription target;
   std::vector<oracle::Draw> draws;
   std::vector<std::shared_ptr<const oracle::Texture>> textures;  // which the draws point to
+  bool is_counted = true;  // uncounted draws may take the fused loops
   int threads = 1;
   InstructionSet instruction_set = InstructionSet::baseline;
 };

@@ -214,7 +214,7 @@ std::string described(const Scene& scene) {
   out << "target " << t.width << "x" << t.height << ", " << t.samples << " samples, colour format " << static_cast<int>(t.colour)
       << ", depth format " << static_cast<int>(t.depth) << ", stencil " << t.has_stencil << "; cleared to " << t.clear_colour.r << " "
       << t.clear_colour.g << " " << t.clear_colour.b << " " << t.clear_colour.a << ", depth " << t.clear_depth << ", stencil "
-      << int{t.clear_stencil} << "; " << scene.threads << " threads, " << name_of(scene.instruction_set) << "\n";
+      << int{t.clear_stencil} << "; " << (scene.is_counted ? "counted, " : "uncounted, ") << scene.threads << " threads, " << name_of(scene.instruction_set) << "\n";
   for (const oracle::Draw& draw : scene.draws) describe(out, draw);
   return out.str();
 }

@@ -177,7 +177,6 @@ DrawCall translated(const oracle::Draw& draw, const MeshArrays& arrays) {
   translate_texture_coordinates(draw, call.state.transform);
   translate_geometry(draw, call.state);
   translate_fragments(draw, call.state);
-  call.count_fragments = true;
   return call;
 }
 
