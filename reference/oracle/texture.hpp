@@ -45,6 +45,7 @@ struct Texture {
   bool is_depth = false;
   std::vector<std::array<std::uint8_t, 4>> texels;  // row 0 on top
   std::vector<float> depths;                        // in place of them
+  std::vector<glm::vec4> floats;                    // or these: linear intensities of any size
   std::vector<TextureLevel> levels;                 // made by `complete`
 };
 

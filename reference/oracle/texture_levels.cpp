@@ -71,6 +71,8 @@ void complete(Texture& texture) {
     first.texels.push_back(colour);
     level.texels.push_back(mean);
   }
+  for (const glm::vec4& f : texture.floats)
+    first.texels.push_back({static_cast<double>(f.r), static_cast<double>(f.g), static_cast<double>(f.b), static_cast<double>(f.a)});
   for (const float depth : texture.depths) {
     const Interval d = static_cast<double>(depth);
     first.texels.push_back({d, d, d, 1.0});

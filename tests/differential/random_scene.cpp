@@ -171,6 +171,19 @@ TargetDescription random_target(Dice& dice) {
   return target;
 }
 
+/// What the pipeline's fused loops draw: triangles in the everyday ways.
+void make_everyday(Dice& dice, Draw& draw) {
+  draw.topology = static_cast<oracle::Topology>(dice.below(3));
+  draw.front_mode = draw.back_mode = oracle::PolygonMode::fill;
+  draw.fog = {};
+  draw.alpha_test = oracle::Compare::always;
+  draw.alpha_to_coverage = false;
+  draw.stencil = {};
+  draw.blend.mode = static_cast<oracle::BlendMode>(dice.below(3));
+  draw.blend.logic = oracle::LogicOperation::off;
+  draw.blend.mask = {true, true, true, true};
+}
+
 }  // namespace
 
 Scene random_scene(std::uint64_t seed) {
@@ -178,15 +191,21 @@ Scene random_scene(std::uint64_t seed) {
   Scene scene;
   scene.seed = seed;
   scene.target = random_target(dice);
+  const bool is_everyday = dice.one_in(4);
+  if (is_everyday) {
+    scene.target.samples = 1;
+    if (scene.target.colour == oracle::ColourFormat::rgba16f) scene.target.colour = oracle::ColourFormat::rgba8;
+  }
   const int draws = 1 + static_cast<int>(dice.below(3));
   for (int i = 0; i < draws; ++i) {
     Draw draw;
     random_state(dice, draw, scene.target);
+    if (is_everyday) make_everyday(dice, draw);
     random_textures(dice, draw, scene);
     random_geometry(dice, draw, scene.target);
     scene.draws.push_back(std::move(draw));
   }
-  scene.is_counted = dice.one_in(2);
+  scene.is_counted = !is_everyday && dice.one_in(2);
   scene.threads = dice.one_in(8) ? 2 : 1;
   const auto sets = supported_instruction_sets();
   scene.instruction_set = sets[static_cast<std::size_t>(dice.below(static_cast<std::int64_t>(sets.size())))];

@@ -49,6 +49,11 @@ Texture made_texture(const oracle::Texture& from) {
     std::copy(from.depths.begin(), from.depths.end(), depths.pixels().begin());
     return *Texture::create_depth(depths);
   }
+  if (!from.floats.empty()) {
+    Image<Rgba32F> floats(from.width, from.height);
+    std::transform(from.floats.begin(), from.floats.end(), floats.pixels().begin(), rgba);
+    return *Texture::create(floats, false);
+  }
   std::vector<Image<Rgba8>> slices;
   for (int slice = 0; slice < from.slices; ++slice) slices.push_back(codes_of(from, slice));
   switch (from.kind) {
