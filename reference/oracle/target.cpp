@@ -53,16 +53,24 @@ Sample Target::resolved(int x, int y) {
   for (int i = 0; i < 4; ++i) {
     const bool mean_of_codes = colour_format == ColourFormat::rgba8 || (is_8_bit(colour_format) && i == 3);
     double low = 0, high = 0;     // sums of whole codes are exact
-    Interval sum = 0.0;           // sums of intensities are bounded
+    Interval sum = 0.0;           // sums of decoded intensities are bounded
+    float least = 0, most = 0;    // sums of floats are rounded one by one
     for (int s = 0; s < samples; ++s) {
       const Interval& one = at(x, y, s).colour[static_cast<std::size_t>(i)];
       low += one.low;
       high += one.high;
+      least += static_cast<float>(one.low);
+      most += static_cast<float>(one.high);
       sum = sum + linear(one, i, colour_format);
       pixel.is_uncertain = pixel.is_uncertain || at(x, y, s).is_uncertain;
     }
     Interval& mean = pixel.colour[static_cast<std::size_t>(i)];
-    if (mean_of_codes) mean = {std::floor(low / count + 0.5), std::floor(high / count + 0.5)};
+    const float share = static_cast<float>(1 / count);
+    const Interval mean_of_floats = std::isfinite(least) && std::isfinite(most)
+                                        ? Interval{static_cast<double>(least * share), static_cast<double>(most * share)}
+                                        : unknown();
+    if (!is_8_bit(colour_format)) mean = stored(mean_of_floats, i, colour_format);
+    else if (mean_of_codes) mean = {std::floor(low / count + 0.5), std::floor(high / count + 0.5)};
     else mean = stored(sum * Interval(1 / count), i, colour_format);
   }
   return pixel;

@@ -80,6 +80,7 @@ class LevelReader {
 
   /// A coordinate in texels, with the errors of reducing and scaling it.
   static Interval scaled(Interval u, int size, double shift) {
+    if (u == Interval(0.0)) return -shift;
     const double margin = (std::max({std::abs(u.low), std::abs(u.high), 1.0}) + 1) * size * 0x1p-22;
     return {u.low * size - shift - margin, u.high * size - shift + margin};
   }
