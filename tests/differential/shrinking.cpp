@@ -56,15 +56,19 @@ void plain_state(Scene& scene, Machines& machines, std::size_t i) {
   reset(&Draw::volume);
   reset(&Draw::texcoord_units);
   reset(&Draw::has_unit_texcoords);
+}
+
+/// What is left of blending and the texture units after that.
+void plain_parts(Scene& scene, Machines& machines, std::size_t i) {
+  keep_if_wrong(scene, machines, [&](Scene& s) { s.draws[i].blend.mask = {true, true, true, true}; });
+  keep_if_wrong(scene, machines, [&](Scene& s) { s.draws[i].blend.colour = {}; });
+  keep_if_wrong(scene, machines, [&](Scene& s) { s.draws[i].blend.alpha = {}; });
+  keep_if_wrong(scene, machines, [&](Scene& s) { s.draws[i].depth_test = oracle::Compare::always; });
   for (std::size_t k = 0; k < oracle::kTextureUnits; ++k) {
     keep_if_wrong(scene, machines, [&](Scene& s) { s.draws[i].program.units[k] = {}; });
     keep_if_wrong(scene, machines, [&](Scene& s) { s.draws[i].program.units[k].colour = {}; });
     keep_if_wrong(scene, machines, [&](Scene& s) { s.draws[i].program.units[k].alpha = {}; });
   }
-  keep_if_wrong(scene, machines, [&](Scene& s) { s.draws[i].blend.mask = {true, true, true, true}; });
-  keep_if_wrong(scene, machines, [&](Scene& s) { s.draws[i].blend.colour = {}; });
-  keep_if_wrong(scene, machines, [&](Scene& s) { s.draws[i].blend.alpha = {}; });
-  keep_if_wrong(scene, machines, [&](Scene& s) { s.draws[i].depth_test = oracle::Compare::always; });
 }
 
 void fewer_vertices(Scene& scene, Machines& machines, std::size_t i) {
@@ -198,6 +202,7 @@ Scene shrunk(Scene scene, Machines& machines) {
   for (std::size_t i = 0; i < scene.draws.size(); ++i) {
     fewer_vertices(scene, machines, i);
     plain_state(scene, machines, i);
+    plain_parts(scene, machines, i);
     fewer_vertices(scene, machines, i);
   }
   keep_if_wrong(scene, machines, [](Scene& s) { s.target.samples = 1; });
