@@ -14,7 +14,7 @@ class Rasterization {
  public:
   /// clip: the pixels that may be drawn; samples: of each.
   Rasterization(const PixelRect& clip, InstructionSet instruction_set, Precision precision, int samples = 1) noexcept
-      : clip_(clip), margin_pixels_(samples > 1 ? 1 : 0), geometry_(geometry_kernels(instruction_set)), blocks_(block_kernels(instruction_set, precision)) {}
+      : clip_(clip), has_samples_(samples > 1), geometry_(geometry_kernels(instruction_set)), blocks_(block_kernels(instruction_set, precision)) {}
 
   /// Edge functions, depth and 1/w of each triangle, by exact arithmetic on snapped vertices.
   void set_up(TriangleBatch& triangles, VertexBatch& vertices, std::vector<ScreenTriangle>& out) const;
@@ -24,7 +24,7 @@ class Rasterization {
 
   /// Sorts triangles into the tiles of a target.
   void bin(std::span<const ScreenTriangle> triangles, int tiles_per_row, int tile_rows, TileLists& out) const {
-    out.build(triangles, clip_, tiles_per_row, tile_rows, 0.5 * margin_pixels_);
+    out.build(triangles, clip_, tiles_per_row, tile_rows, has_samples_ ? 0.5 : 0.0);
   }
 
   /// The blocks of fragments of one triangle on a target, tile by tile. The tile loops do the same
@@ -33,7 +33,7 @@ class Rasterization {
 
  private:
   PixelRect clip_;
-  int margin_pixels_;  // samples lie up to half a pixel beside the centre
+  bool has_samples_;   // which lie up to half a pixel beside the centre
   const GeometryKernels& geometry_;
   const BlockKernels& blocks_;
 };

@@ -78,10 +78,10 @@ struct GeometryKernels {
   int (*cull)(const TriangleArrays& triangles, int count, const ScreenArrays& vertices, const CullOptions& options,
               const PixelRect& clip);
 
-  /// Sets up culled triangles. clip_w: w of the vertices, > 0. The bounds reach margin_pixels beyond
-  /// the centres that they hold.
+  /// Sets up culled triangles. clip_w: w of the vertices, > 0. With several samples a pixel the
+  /// remainders are filled in (else 0), and the bounds reach a pixel beyond the centres they hold.
   void (*set_up)(const TriangleArrays& triangles, int count, const ScreenArrays& vertices, const float* clip_w,
-                 int margin_pixels, ScreenTriangle* out);
+                 bool has_samples, ScreenTriangle* out);
 
   /// World positions (affine, column-major 4x4) and unit normals (column-major 3x3) of vertices.
   /// out: x, y, z arrays one after the other, `count` rounded up to kKernelPadding long each.

@@ -103,7 +103,8 @@ struct SetupLanes {
 };
 
 /// Edge functions at pixel centres, split into whole multiples of 256 and remainder: see
-/// ScreenTriangle. Edge k runs from vertex k+1 to vertex k+2.
+/// ScreenTriangle. Edge k runs from vertex k+1 to vertex k+2. Only samples want the remainder.
+template <bool kHasSamples>
 HWY_INLINE void set_up_edges(const Corners& c, SetupLanes& out) {
   const Double inverse_area = Double(1.0) / twice_area(c);
   store(Double(kSubpixelUnits) * inverse_area, out.weight_scale);
@@ -119,7 +120,7 @@ HWY_INLINE void set_up_edges(const Corners& c, SetupLanes& out) {
     store(per_y, out.per_y[k]);
     store(whole, out.constant[k]);
     const Double rest = at_centre - whole * Double(kSubpixelUnits);  // without the rule taken off
-    store(rest - rule, out.remainder[k]);
+    if constexpr (kHasSamples) store(rest - rule, out.remainder[k]);
     if (k > 0) store(rest * inverse_area, out.weight_offset[k - 1]);
   }
 }
@@ -151,6 +152,7 @@ HWY_INLINE void set_up_depth(const TriangleArrays& t, int i, const float* depth,
   out.affine = bits_of((w[0] == w[1]) & (w[0] == w[2]));
 }
 
+template <bool kHasSamples>
 HWY_INLINE ScreenTriangle assembled(const SetupLanes& s, int lane, const TriangleArrays& t, int i) {
   ScreenTriangle out;
   for (int k = 0; k < 3; ++k) {
@@ -178,20 +180,26 @@ HWY_INLINE ScreenTriangle assembled(const SetupLanes& s, int lane, const Triangl
   out.is_affine = s.affine >> lane & 1u;
   out.is_near = s.near >> lane & 1u;
   out.is_back = t.is_back[i + lane];
-  for (int k = 0; k < 3; ++k) out.remainder[k] = static_cast<std::uint8_t>(s.remainder[k][lane]);
+  for (int k = 0; k < 3; ++k) out.remainder[k] = kHasSamples ? static_cast<std::uint8_t>(s.remainder[k][lane]) : 0;
   return out;
 }
 
-inline void set_up(const TriangleArrays& t, int count, const ScreenArrays& vertices, const float* clip_w,
-                   int margin_pixels, ScreenTriangle* out) {
+template <bool kHasSamples>
+void set_up_all(const TriangleArrays& t, int count, const ScreenArrays& vertices, const float* clip_w, ScreenTriangle* out) {
   SetupLanes lanes;
   for (int i = 0; i < count; i += kDoubleLanes) {
     const Corners corners = gather_corners(t, i, vertices);
-    set_up_edges(corners, lanes);
-    set_up_bounds(corners, margin_pixels, lanes);
+    set_up_edges<kHasSamples>(corners, lanes);
+    set_up_bounds(corners, kHasSamples ? 1 : 0, lanes);
     set_up_depth(t, i, vertices.depth, clip_w, lanes);
-    for (int lane = 0; lane < std::min(kDoubleLanes, count - i); ++lane) out[i + lane] = assembled(lanes, lane, t, i);
+    for (int lane = 0; lane < std::min(kDoubleLanes, count - i); ++lane) out[i + lane] = assembled<kHasSamples>(lanes, lane, t, i);
   }
+}
+
+inline void set_up(const TriangleArrays& t, int count, const ScreenArrays& vertices, const float* clip_w,
+                   bool has_samples, ScreenTriangle* out) {
+  if (has_samples) set_up_all<true>(t, count, vertices, clip_w, out);
+  else set_up_all<false>(t, count, vertices, clip_w, out);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -45,7 +45,7 @@ struct SampledSet {
       }
     screen.resize(triangles.size());
     geometry_kernels(set).set_up({v[0].data(), v[1].data(), v[2].data(), v[3].data(), v[4].data(), is_back.data()}, static_cast<int>(triangles.size()),
-                                 {x.data(), y.data(), depths.data()}, w.data(), 1, screen.data());
+                                 {x.data(), y.data(), depths.data()}, w.data(), true, screen.data());
   }
 
   /// Calls visit(triangle number, block) for all blocks of a target.

@@ -75,7 +75,7 @@ class TriangleSet {
     const ScreenArrays vertices{x_.data(), y_.data(), depth_.data()};
     kept_ = clip_.empty() ? 0 : kernels.cull(arrays, static_cast<int>(triangles.size()), vertices, {}, clip_);
     screen_.resize(static_cast<std::size_t>(kept_));
-    kernels.set_up(arrays, kept_, vertices, w_.data(), 0, screen_.data());
+    kernels.set_up(arrays, kept_, vertices, w_.data(), false, screen_.data());
     lists_.build(screen_, clip_, tiles_per_row_, tile_rows_);
   }
 
