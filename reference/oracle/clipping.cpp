@@ -100,8 +100,7 @@ std::vector<ClipPlane> clip_planes(const Draw& draw, const Viewport& viewport) {
     const double half = size / 2.0, centre = corner + half;
     return static_cast<double>(static_cast<float>((32767 - std::abs(centre)) / half));
   };
-  const bool empty = viewport.width == 0 || viewport.height == 0;
-  const double gx = empty ? 1 : guard(viewport.x, viewport.width), gy = empty ? 1 : guard(viewport.y, viewport.height);
+  const double gx = guard(viewport.x, viewport.width), gy = guard(viewport.y, viewport.height);
   const double zl = draw.volume == ClipVolume::minus_w_to_w ? -1 : 0;
   using Kind = ClipPlane::Kind;
   std::vector<ClipPlane> planes{{Kind::near_plane, zl, 1, {}}, {Kind::far_plane, zl, 1, {}},  {Kind::left, zl, gx, {}},

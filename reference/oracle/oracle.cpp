@@ -58,6 +58,22 @@ void draw_primitive(Target& target, const Draw& draw, const Rectangle& clip, con
     }
 }
 
+/// Whether a primitive counts as drawn: a triangle only if its bounds (with several samples a pixel wider
+/// each way) hold the centre of a pixel that it may touch.
+bool counts_as_drawn(const ScreenPrimitive& primitive, const Rectangle& clip, int samples) {
+  if (clip.left >= clip.right || clip.top >= clip.bottom) return false;
+  if (primitive.kind != ScreenPrimitive::Kind::triangle) return true;
+  const std::int64_t margin = samples > 1 ? 256 : 0;
+  const auto holds_centre = [&](std::int64_t ScreenVertex::*axis, int first, int end) {
+    const auto& v = primitive.vertex;
+    const auto [least, most] = std::minmax({v[0].*axis, v[1].*axis, v[2].*axis});
+    for (std::int64_t pixel = first; pixel < end; ++pixel)
+      if (least - margin <= 256 * pixel + 128 && 256 * pixel + 128 <= most + margin) return true;
+    return false;
+  };
+  return holds_centre(&ScreenVertex::x, clip.left, clip.right) && holds_centre(&ScreenVertex::y, clip.top, clip.bottom);
+}
+
 }  // namespace
 
 Counts draw(Target& target, const Draw& draw) {
@@ -68,7 +84,12 @@ Counts draw(Target& target, const Draw& draw) {
   const GeometryResult screen = geometry(draw, viewport, target.depth_format);
   Counts counts;
   counts.primitives_in = screen.assembled;
-  for (const ScreenPrimitive& primitive : screen.primitives) draw_primitive(target, draw, clip, primitive, counts);
+  counts.clipped = screen.clipped;
+  counts.after_clipping = screen.after_clipping;
+  for (const ScreenPrimitive& primitive : screen.primitives) {
+    if (counts_as_drawn(primitive, clip, target.samples)) ++counts.drawn;
+    draw_primitive(target, draw, clip, primitive, counts);
+  }
   return counts;
 }
 

@@ -12,6 +12,9 @@ namespace tuberia::oracle {
 
 struct Counts {
   std::int64_t primitives_in = 0;    // assembled
+  std::int64_t clipped = 0;          // of these, cut or lost at more than one plane; points never are
+  std::int64_t after_clipping = 0;   // triangles of clipped polygons' fans, lines and points
+  std::int64_t drawn = 0;            // survived culling, and hold the centre of a pixel between their bounds
   std::int64_t fragments = 0;        // with a covered sample
   std::int64_t fragments_shaded = 0; // handed to the program
   std::int64_t samples_passed = 0;   // all tests

@@ -57,9 +57,8 @@ ClipVertex vertex_at(const Corner& corner, const std::vector<ClipVertex>& vertic
 }
 
 Polygon screen_polygon(const std::vector<ClipVertex>& vertices, const Draw& draw, const Viewport& viewport,
-                       const std::vector<ClipPlane>& planes) {
+                       const std::vector<ClipPlane>& planes, bool& was_cut) {
   Polygon polygon;
-  bool was_cut = false;
   polygon.corners = clipped(vertices, planes, was_cut);
   for (const Corner& corner : polygon.corners)
     polygon.vertices.push_back(on_screen(vertex_at(corner, vertices, draw.has_fog_coordinates), draw, viewport));
@@ -96,11 +95,14 @@ GeometryResult geometry(const Draw& draw, const Viewport& viewport, DepthFormat 
     ++result.assembled;
     std::vector<ClipVertex> own;
     for (int k = 0; k < primitive.corners; ++k) own.push_back(vertices[primitive.vertex[static_cast<std::size_t>(k)]]);
+    bool was_cut = false;
     Polygon polygon = draw.space == PositionSpace::screen ? given_polygon(primitive, own, draw)
-                                                          : screen_polygon(own, draw, viewport, planes);
+                                                          : screen_polygon(own, draw, viewport, planes, was_cut);
+    if (was_cut) ++result.clipped;
     polygon.own = own;
     polygon.number = number++;
     if (polygon.vertices.empty()) continue;
+    result.after_clipping += primitive.corners == 3 ? static_cast<std::int64_t>(polygon.vertices.size()) - 2 : 1;
     if (primitive.corners == 3) add_polygon(polygon, draw, depth_format, result.primitives);
     else if (primitive.corners == 2) add_line(polygon, draw.topology == Topology::lines ? nullptr : &strip_counter, result.primitives);
     else add_point(polygon, result.primitives);

@@ -34,7 +34,7 @@ std::int64_t doubled_area(const ScreenVertex&, const ScreenVertex&, const Screen
 
 struct GeometryResult {
   std::vector<ScreenPrimitive> primitives;  // in the order in which they are drawn
-  std::int64_t assembled = 0;
+  std::int64_t assembled = 0, clipped = 0, after_clipping = 0;
 };
 GeometryResult geometry(const Draw&, const Viewport&, DepthFormat);
 

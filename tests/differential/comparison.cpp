@@ -42,6 +42,9 @@ void compare_counts(std::size_t number, const DrawStatistics& pipeline, const or
     tell(first, "draw ", number, ": ", what, ": pipeline ", a, ", oracle ", b);
   };
   check("primitives assembled", pipeline.triangles_in, oracle.primitives_in);
+  check("primitives clipped", pipeline.triangles_clipped, oracle.clipped);
+  check("primitives after clipping", pipeline.triangles_after_clipping, oracle.after_clipping);
+  check("primitives drawn", pipeline.triangles_drawn, oracle.drawn);
   if (!fragments_are_counted) return;
   check("fragments", pipeline.fragments, oracle.fragments);
   if (!oracle.are_certain) return;
