@@ -28,6 +28,9 @@ struct Interval {
 /// Any number at all, and not-a-number, too.
 inline Interval unknown() { return {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()}; }
 
+/// A float as it is, if it is a number.
+inline Interval one_float(float x) { return std::isfinite(x) ? Interval(static_cast<double>(x)) : unknown(); }
+
 /// Both bounds moved apart by a share of their size.
 inline Interval widened(Interval a, double share = kRounding) {
   if (!a.is_known()) return unknown();

@@ -33,6 +33,7 @@ Interval weighted(const Corner& corner, const std::vector<ClipVertex>& vertices,
   double low = 0, high = 0;  // weights are not negative
   for (std::size_t k = 0; k < vertices.size(); ++k) {
     const Interval& value = (vertices[k].*face)[scalar];
+    if (!value.is_known()) return unknown();
     low = k == 0 ? corner.weight[k] * value.low : low + corner.weight[k] * value.low;
     high = k == 0 ? corner.weight[k] * value.high : high + corner.weight[k] * value.high;
   }

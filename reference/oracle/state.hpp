@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <optional>
 #include <vector>
@@ -124,8 +125,9 @@ struct Program {
   bool may_discard() const { return kind == ProgramKind::textured && cut_out; }
 };
 
-/// Where a texture coordinate comes from; the linear ones: plane . (x, y, z, 1).
-enum class TexCoordSource { vertex, object_linear, eye_linear };
+/// Where a texture coordinate comes from; the linear ones: plane . (x, y, z, 1). The maps need normals:
+/// a sphere map makes s and t only, the others s, t and r.
+enum class TexCoordSource { vertex, object_linear, eye_linear, sphere_map, reflection_map, normal_map };
 struct TexCoordUnit {
   std::array<TexCoordSource, 4> source{};
   std::array<glm::vec4, 4> plane{};
@@ -139,6 +141,7 @@ struct InputVertex {
   glm::vec4 position{0, 0, 0, 1};      // object (w unused), or clip
   std::int32_t screen_x = 0, screen_y = 0;  // units; PositionSpace::screen only, as the next
   float screen_depth = 0;                   // and position.w is its w
+  glm::vec3 normal{0};                      // object space
   glm::vec4 colour{1}, back_colour{1};
   glm::vec2 texcoord{0};
   std::array<glm::vec4, kTextureUnits> unit_texcoord{};  // (s, t, r, q)
@@ -151,9 +154,9 @@ struct Draw {
   PositionSpace space = PositionSpace::clip;
   std::vector<InputVertex> vertices;
   std::vector<std::uint32_t> indices;  // empty: in order of arrival
-  bool has_fog_coordinates = false;
-  glm::mat4 clip_from_object{1};  // the world is the object's space
-  glm::mat4 view_from_object{1};  // only eye_linear reads it
+  bool has_fog_coordinates = false, has_normals = false;
+  glm::mat4 world_from_object{1}, clip_from_world{1};
+  glm::mat4 view_from_world{1};  // only generated texture coordinates read it
   std::array<TexCoordUnit, kTextureUnits> texcoord_units;
   bool has_unit_texcoords = false;  // else (texcoord, 0, 1)
 

@@ -1,53 +1,37 @@
 #include "reference/oracle/vertices.hpp"
 
+#include "reference/oracle/matrices.hpp"
+#include "reference/oracle/texture_coordinates.hpp"
+
 namespace tuberia::oracle {
 namespace {
 
-/// ((m0 x + m1 y) + m2 z) + m3 in float, with m a row of the matrix.
-float row_times(const glm::mat4& m, int row, const glm::vec4& p) {
-  const float first = m[0][row] * p.x;
-  const float second = m[1][row] * p.y;
-  const float third = m[2][row] * p.z;
-  return ((first + second) + third) + m[3][row];
+/// What all vertices of a draw have in common.
+struct DrawMatrices {
+  glm::mat4 clip_from_object;
+  std::vector<UnitCoordinates> units;  // of the fixed-function program
+};
+
+DrawMatrices matrices_of(const Draw& draw) {
+  DrawMatrices matrices{composed(draw.clip_from_world, draw.world_from_object), {}};
+  if (draw.program.kind == ProgramKind::fixed_function)
+    for (std::size_t unit = 0; unit < kTextureUnits; ++unit) matrices.units.emplace_back(draw, unit);
+  return matrices;
 }
 
-Interval product(const glm::vec4& plane, const std::array<Interval, 4>& p) {
-  const auto factor = [&](int i) { return Interval(static_cast<double>(plane[i])); };
-  return ((factor(0) * p[0] + factor(1) * p[1]) + factor(2) * p[2]) + factor(3) * p[3];
+void place(const Draw& draw, const InputVertex& in, const DrawMatrices& matrices, ClipVertex& out) {
+  glm::vec4 clip = in.position;
+  if (draw.space == PositionSpace::object)
+    for (int i = 0; i < 4; ++i) clip[i] = row_times(matrices.clip_from_object, i, glm::vec3(in.position));
+  out.x = clip.x;
+  out.y = clip.y;
+  out.z = clip.z;
+  out.w = clip.w;
 }
 
-glm::vec4 matrix_row(const glm::mat4& m, int row) { return {m[0][row], m[1][row], m[2][row], m[3][row]}; }
-
-/// (s, t, r, q) of a unit: each from its source, then all times the matrix.
-std::array<Interval, 4> unit_coordinates(const Draw& draw, const InputVertex& in, std::size_t unit) {
-  const TexCoordUnit& state = draw.texcoord_units[unit];
-  const auto exact = [](float x) { return Interval(static_cast<double>(x)); };
-  const std::array<Interval, 4> object{exact(in.position.x), exact(in.position.y), exact(in.position.z), 1.0};
-  std::array<Interval, 4> eye{0.0, 0.0, 0.0, 1.0}, made;
-  for (int i = 0; i < 3; ++i) eye[static_cast<std::size_t>(i)] = product(matrix_row(draw.view_from_object, i), object);
-  const glm::vec4 own = draw.has_unit_texcoords ? in.unit_texcoord[unit] : glm::vec4(in.texcoord.x, in.texcoord.y, 0, 1);
-  for (std::size_t i = 0; i < 4; ++i) {
-    if (state.source[i] == TexCoordSource::vertex) made[i] = exact(own[static_cast<int>(i)]);
-    else made[i] = product(state.plane[i], state.source[i] == TexCoordSource::object_linear ? object : eye);
-  }
-  std::array<Interval, 4> coordinates;
-  for (int i = 0; i < 4; ++i) coordinates[static_cast<std::size_t>(i)] = product(matrix_row(state.matrix, i), made);
-  return coordinates;
-}
-
-ClipVertex transformed(const Draw& draw, const InputVertex& in) {
+ClipVertex transformed(const Draw& draw, const InputVertex& in, const DrawMatrices& matrices) {
   ClipVertex out;
-  if (draw.space == PositionSpace::object) {
-    out.x = row_times(draw.clip_from_object, 0, in.position);
-    out.y = row_times(draw.clip_from_object, 1, in.position);
-    out.z = row_times(draw.clip_from_object, 2, in.position);
-    out.w = row_times(draw.clip_from_object, 3, in.position);
-  } else {
-    out.x = in.position.x;
-    out.y = in.position.y;
-    out.z = in.position.z;
-    out.w = in.position.w;
-  }
+  place(draw, in, matrices, out);
   for (std::size_t i = 0; i < 4; ++i) {
     out.front[kColour + i] = static_cast<double>(in.colour[static_cast<int>(i)]);
     out.back[kColour + i] = static_cast<double>((draw.two_sided_colours ? in.back_colour : in.colour)[static_cast<int>(i)]);
@@ -56,11 +40,11 @@ ClipVertex transformed(const Draw& draw, const InputVertex& in) {
   out.front[kTexcoord + 1] = out.back[kTexcoord + 1] = static_cast<double>(in.texcoord.y);
   out.front[kFogCoordinate] = out.back[kFogCoordinate] =
       static_cast<double>(draw.has_fog_coordinates ? in.fog_coordinate : out.w);
-  if (draw.program.kind == ProgramKind::fixed_function)
-    for (std::size_t unit = 0; unit < kTextureUnits; ++unit) {
-      const std::array<Interval, 4> coordinates = unit_coordinates(draw, in, unit);
-      for (std::size_t i = 0; i < 4; ++i) out.front[kUnitCoordinates + 4 * unit + i] = out.back[kUnitCoordinates + 4 * unit + i] = coordinates[i];
-    }
+  for (std::size_t unit = 0; unit < matrices.units.size(); ++unit) {
+    const glm::vec4 strq = matrices.units[unit](in);
+    for (std::size_t i = 0; i < 4; ++i)
+      out.front[kUnitCoordinates + 4 * unit + i] = out.back[kUnitCoordinates + 4 * unit + i] = one_float(strq[static_cast<int>(i)]);
+  }
   out.edge_flag = in.edge_flag;
   return out;
 }
@@ -69,10 +53,11 @@ ClipVertex transformed(const Draw& draw, const InputVertex& in) {
 
 std::vector<ClipVertex> transformed(const Draw& draw) {
   std::vector<ClipVertex> vertices;
+  const DrawMatrices matrices = matrices_of(draw);
   if (draw.indices.empty())
-    for (const InputVertex& vertex : draw.vertices) vertices.push_back(transformed(draw, vertex));
+    for (const InputVertex& vertex : draw.vertices) vertices.push_back(transformed(draw, vertex, matrices));
   else
-    for (const std::uint32_t index : draw.indices) vertices.push_back(transformed(draw, draw.vertices[index]));
+    for (const std::uint32_t index : draw.indices) vertices.push_back(transformed(draw, draw.vertices[index], matrices));
   return vertices;
 }
 

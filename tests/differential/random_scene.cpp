@@ -124,6 +124,24 @@ void number_primitives(Draw& draw) {
   }
 }
 
+glm::mat4 matrix_near_identity(Dice& dice) {
+  glm::mat4 matrix(1);
+  for (int column = 0; column < 4; ++column)
+    for (int row = 0; row < 4; ++row)
+      if (dice.one_in(2)) matrix[column][row] += dice.between(-0.5f, 0.5f);
+  return matrix;
+}
+
+/// Normals of any length: unit, none, denormal, long.
+void give_normals(Dice& dice, Draw& draw) {
+  draw.has_normals = true;
+  for (InputVertex& v : draw.vertices) {
+    for (int i = 0; i < 3; ++i) v.normal[i] = dice.one_in(6) ? 0 : dice.between(-1, 1);
+    if (dice.one_in(10)) v.normal *= std::exp2(static_cast<float>(dice.below(250)) - 140);
+    if (dice.one_in(30)) v.normal = glm::vec3(0);
+  }
+}
+
 void random_geometry(Dice& dice, Draw& draw, const TargetDescription& target) {
   const bool numbered = dice.one_in(3);
   const int primitives = 1 + static_cast<int>(dice.below(4));
@@ -135,12 +153,12 @@ void random_geometry(Dice& dice, Draw& draw, const TargetDescription& target) {
     for (int i = 0; i < count; ++i)
       draw.indices.push_back(static_cast<std::uint32_t>(dice.below(static_cast<std::int64_t>(draw.vertices.size()))));
   if (numbered) number_primitives(draw);
-  if (dice.one_in(8)) {
+  if (dice.one_in(draw.program.kind == ProgramKind::fixed_function ? 3 : 8)) {
     draw.space = PositionSpace::object;
     random_texture_coordinates(dice, draw);
-    for (int column = 0; column < 4; ++column)
-      for (int row = 0; row < 4; ++row)
-        draw.clip_from_object[column][row] = (column == row ? 1.0f : 0.0f) + (dice.one_in(2) ? dice.between(-0.5f, 0.5f) : 0.0f);
+    give_normals(dice, draw);
+    draw.clip_from_world = matrix_near_identity(dice);
+    if (dice.one_in(2)) draw.world_from_object = matrix_near_identity(dice);
   } else if (dice.one_in(8)) {
     draw.space = PositionSpace::screen;
     const int reach = dice.one_in(5) ? 1 << 23 : 0;

@@ -81,12 +81,17 @@ void random_textures(Dice& dice, oracle::Draw& draw, Scene& scene) {
 }
 
 void random_texture_coordinates(Dice& dice, oracle::Draw& draw) {
+  using oracle::TexCoordSource;
   for (int i = 0; i < 4; ++i)
     for (int j = 0; j < 4; ++j)
-      if (dice.one_in(2)) draw.view_from_object[i][j] = dice.between(-1, 1);
+      if (dice.one_in(2)) draw.view_from_world[i][j] = dice.between(-1, 1);
+  if (dice.one_in(10)) draw.view_from_world[2] = draw.view_from_world[static_cast<int>(dice.below(2))];  // without inverse
   for (oracle::TexCoordUnit& unit : draw.texcoord_units) {
+    // Maps mostly make all the coordinates that they can.
+    const auto common = static_cast<TexCoordSource>(dice.below(6));
     for (std::size_t i = 0; i < 3; ++i) {
-      if (dice.one_in(2)) unit.source[i] = static_cast<oracle::TexCoordSource>(dice.below(3));
+      const auto source = dice.one_in(4) ? static_cast<TexCoordSource>(dice.below(6)) : common;
+      if (i < 2 || source != TexCoordSource::sphere_map) unit.source[i] = source;
       unit.plane[i] = {dice.between(-1, 1), dice.between(-1, 1), dice.between(-1, 1), dice.between(-1, 1)};
     }
     if (dice.one_in(2)) continue;

@@ -56,6 +56,9 @@ void plain_state(Scene& scene, Machines& machines, std::size_t i) {
   reset(&Draw::volume);
   reset(&Draw::texcoord_units);
   reset(&Draw::has_unit_texcoords);
+  reset(&Draw::view_from_world);
+  reset(&Draw::world_from_object);
+  reset(&Draw::clip_from_world);
 }
 
 /// What is left of blending and the texture units after that.

@@ -101,7 +101,7 @@ FragmentProgram program_of(const oracle::Program& program) {
 }
 
 void translate_texture_coordinates(const oracle::Draw& draw, TransformState& state) {
-  state.view_from_world = draw.view_from_object;
+  state.view_from_world = draw.view_from_world;
   for (std::size_t k = 0; k < oracle::kTextureUnits; ++k) {
     for (std::size_t i = 0; i < 4; ++i) state.texture_units[k].source[i] = same<TexCoordSource>(draw.texcoord_units[k].source[i]);
     state.texture_units[k].plane = draw.texcoord_units[k].plane;
@@ -110,7 +110,8 @@ void translate_texture_coordinates(const oracle::Draw& draw, TransformState& sta
 }
 
 void translate_geometry(const oracle::Draw& draw, PipelineState& state) {
-  state.transform.clip_from_world = draw.clip_from_object;
+  state.transform.world_from_object = draw.world_from_object;
+  state.transform.clip_from_world = draw.clip_from_world;
   state.transform.two_sided_colours = draw.two_sided_colours;
   state.assembly.topology = same<Topology>(draw.topology);
   state.clipping.volume = same<ClipVolume>(draw.volume);
@@ -164,6 +165,7 @@ MeshArrays arrays_of(const oracle::Draw& draw) {
     arrays.texcoords.push_back(v.texcoord);
     if (draw.has_unit_texcoords)
       for (std::size_t k = 0; k < oracle::kTextureUnits; ++k) arrays.unit_texcoords[k].push_back(v.unit_texcoord[k]);
+    if (draw.has_normals) arrays.normals.push_back(v.normal);
     if (draw.two_sided_colours) arrays.back_colours.push_back(v.back_colour);
     if (draw.has_fog_coordinates) arrays.fog_coordinates.push_back(v.fog_coordinate);
     arrays.edge_flags.push_back(v.edge_flag ? 1 : 0);
@@ -174,7 +176,7 @@ MeshArrays arrays_of(const oracle::Draw& draw) {
 DrawCall translated(const oracle::Draw& draw, const MeshArrays& arrays) {
   DrawCall call;
   call.mesh = {.positions = arrays.positions, .clip_positions = arrays.clip_positions, .screen_positions = arrays.screen_positions,
-               .normals = {}, .texcoords = arrays.texcoords, .colours = arrays.colours, .custom = {},
+               .normals = arrays.normals, .texcoords = arrays.texcoords, .colours = arrays.colours, .custom = {},
                .back_colours = arrays.back_colours, .unit_texcoords = {arrays.unit_texcoords[0], arrays.unit_texcoords[1], arrays.unit_texcoords[2], arrays.unit_texcoords[3]},
                 .fog_coordinates = arrays.fog_coordinates,
                .edge_flags = arrays.edge_flags, .indices = arrays.indices};

@@ -10,7 +10,7 @@ namespace tuberia::differential {
 
 /// The arrays that a translated draw refers to.
 struct MeshArrays {
-  std::vector<glm::vec3> positions;
+  std::vector<glm::vec3> positions, normals;
   std::vector<glm::vec4> clip_positions, colours, back_colours;
   std::vector<ScreenVertex> screen_positions;
   std::vector<glm::vec2> texcoords;
