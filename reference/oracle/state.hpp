@@ -134,6 +134,20 @@ struct TexCoordUnit {
   glm::mat4 matrix{1};
 };
 
+/// A light: a direction to it, as given, or its position; world space.
+struct Light {
+  bool is_point = false;
+  glm::vec3 towards{0, 0, 1}, intensity{1};
+};
+
+/// The local model at the vertices.
+struct Lighting {
+  glm::vec3 ambient{0}, diffuse{1}, specular{0}, eye{0, 0, 1};
+  float shininess = 1, alpha = 1;
+  bool halfway = true, two_sided = false;
+  std::vector<Light> lights;
+};
+
 /// How vertices arrive: in object space, in clip space, or already on the screen.
 enum class PositionSpace { object, clip, screen };
 
@@ -155,8 +169,10 @@ struct Draw {
   std::vector<InputVertex> vertices;
   std::vector<std::uint32_t> indices;  // empty: in order of arrival
   bool has_fog_coordinates = false, has_normals = false;
+  bool has_colours = true, has_back_colours = true;  // else white; else as the front
   glm::mat4 world_from_object{1}, clip_from_world{1};
   glm::mat4 view_from_world{1};  // only generated texture coordinates read it
+  std::optional<Lighting> vertex_lighting, back_lighting;  // back: with two_sided_colours; else as the front's
   std::array<TexCoordUnit, kTextureUnits> texcoord_units;
   bool has_unit_texcoords = false;  // else (texcoord, 0, 1)
 

@@ -1,5 +1,8 @@
 #include "reference/oracle/vertices.hpp"
 
+#include <algorithm>
+
+#include "reference/oracle/lighting.hpp"
 #include "reference/oracle/matrices.hpp"
 #include "reference/oracle/texture_coordinates.hpp"
 
@@ -9,11 +12,12 @@ namespace {
 /// What all vertices of a draw have in common.
 struct DrawMatrices {
   glm::mat4 clip_from_object;
+  glm::mat3 world_normal_from_object;
   std::vector<UnitCoordinates> units;  // of the fixed-function program
 };
 
 DrawMatrices matrices_of(const Draw& draw) {
-  DrawMatrices matrices{composed(draw.clip_from_world, draw.world_from_object), {}};
+  DrawMatrices matrices{composed(draw.clip_from_world, draw.world_from_object), normal_matrix(draw.world_from_object), {}};
   if (draw.program.kind == ProgramKind::fixed_function)
     for (std::size_t unit = 0; unit < kTextureUnits; ++unit) matrices.units.emplace_back(draw, unit);
   return matrices;
@@ -29,13 +33,30 @@ void place(const Draw& draw, const InputVertex& in, const DrawMatrices& matrices
   out.w = clip.w;
 }
 
+/// The surface's colour, lit if there is lighting.
+void colour_face(const std::optional<Lighting>& lighting, const glm::vec4& surface, const glm::vec3& point, const glm::vec3& normal,
+                 Scalars& out) {
+  const Colour light = lighting ? lit(*lighting, point, normal) : Colour{1.0, 1.0, 1.0, 1.0};
+  for (std::size_t i = 0; i < 4; ++i) out[kColour + i] = light[i] * Interval(static_cast<double>(surface[static_cast<int>(i)]));
+}
+
+void colour(const Draw& draw, const InputVertex& in, const DrawMatrices& matrices, ClipVertex& out) {
+  glm::vec3 point(in.position), normal(0);
+  if (draw.vertex_lighting || draw.back_lighting) {
+    normal = transformed_normal(matrices.world_normal_from_object, in.normal);
+    if (draw.space == PositionSpace::object)
+      for (int i = 0; i < 3; ++i) point[i] = row_times(draw.world_from_object, i, glm::vec3(in.position));
+  }
+  const glm::vec4 front = draw.has_colours ? in.colour : glm::vec4(1);
+  colour_face(draw.vertex_lighting, front, point, normal, out.front);
+  if (!draw.two_sided_colours) std::copy_n(out.front.begin() + kColour, 4, out.back.begin() + kColour);
+  else colour_face(draw.back_lighting ? draw.back_lighting : draw.vertex_lighting, draw.has_back_colours ? in.back_colour : front, point, -normal, out.back);
+}
+
 ClipVertex transformed(const Draw& draw, const InputVertex& in, const DrawMatrices& matrices) {
   ClipVertex out;
   place(draw, in, matrices, out);
-  for (std::size_t i = 0; i < 4; ++i) {
-    out.front[kColour + i] = static_cast<double>(in.colour[static_cast<int>(i)]);
-    out.back[kColour + i] = static_cast<double>((draw.two_sided_colours ? in.back_colour : in.colour)[static_cast<int>(i)]);
-  }
+  colour(draw, in, matrices, out);
   out.front[kTexcoord] = out.back[kTexcoord] = static_cast<double>(in.texcoord.x);
   out.front[kTexcoord + 1] = out.back[kTexcoord + 1] = static_cast<double>(in.texcoord.y);
   out.front[kFogCoordinate] = out.back[kFogCoordinate] =

@@ -91,6 +91,8 @@ void strew_vertices(Dice& dice, Draw& draw, const TargetDescription& target, int
 
 void give_attributes(Dice& dice, Draw& draw) {
   draw.has_unit_texcoords = dice.one_in(2);
+  draw.has_colours = !dice.one_in(8);
+  draw.has_back_colours = !dice.one_in(4);
   const bool any_range = dice.one_in(6), opaque = dice.one_in(2);
   const bool of_codes = dice.one_in(2);
   const auto intensity = [&] {
@@ -118,6 +120,7 @@ void number_primitives(Draw& draw) {
   draw.blend = {};
   draw.fog = {};
   draw.two_sided_colours = false;
+  draw.has_colours = true;
   for (std::size_t i = 0; i < draw.vertices.size(); ++i) {
     const auto code = [](std::size_t c) { return static_cast<float>(c) / 255.0f; };
     draw.vertices[i].colour = {code(i % 256), code(1 + i / 256), code(255 - i % 256), 1};
@@ -130,16 +133,6 @@ glm::mat4 matrix_near_identity(Dice& dice) {
     for (int row = 0; row < 4; ++row)
       if (dice.one_in(2)) matrix[column][row] += dice.between(-0.5f, 0.5f);
   return matrix;
-}
-
-/// Normals of any length: unit, none, denormal, long.
-void give_normals(Dice& dice, Draw& draw) {
-  draw.has_normals = true;
-  for (InputVertex& v : draw.vertices) {
-    for (int i = 0; i < 3; ++i) v.normal[i] = dice.one_in(6) ? 0 : dice.between(-1, 1);
-    if (dice.one_in(10)) v.normal *= std::exp2(static_cast<float>(dice.below(250)) - 140);
-    if (dice.one_in(30)) v.normal = glm::vec3(0);
-  }
 }
 
 void random_geometry(Dice& dice, Draw& draw, const TargetDescription& target) {
@@ -173,6 +166,7 @@ void random_geometry(Dice& dice, Draw& draw, const TargetDescription& target) {
       v.position.w = dice.one_in(2) ? 1 : dice.between(0.1f, 10);
     }
   }
+  if (!numbered && draw.space != PositionSpace::screen && dice.one_in(4)) random_lighting(dice, draw);
 }
 
 TargetDescription random_target(Dice& dice) {

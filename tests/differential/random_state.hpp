@@ -31,6 +31,12 @@ class Dice : public test::Random {
 /// Topology and all state, for a target; the program's textures are still missing.
 void random_state(Dice&, oracle::Draw&, const TargetDescription&);
 
+/// Lighting at the vertices, perhaps, and normals for it.
+void random_lighting(Dice&, oracle::Draw&);
+
+/// Normals of any length: unit, none, denormal, long.
+void give_normals(Dice&, oracle::Draw&);
+
 /// The textures that the program needs, kept by the scene, and samplers and combinations to read them with.
 void random_textures(Dice&, oracle::Draw&, Scene&);
 

@@ -57,6 +57,10 @@ void plain_state(Scene& scene, Machines& machines, std::size_t i) {
   reset(&Draw::texcoord_units);
   reset(&Draw::has_unit_texcoords);
   reset(&Draw::view_from_world);
+  reset(&Draw::vertex_lighting);
+  reset(&Draw::back_lighting);
+  reset(&Draw::has_colours);
+  reset(&Draw::has_back_colours);
   reset(&Draw::world_from_object);
   reset(&Draw::clip_from_world);
 }
@@ -123,6 +127,21 @@ void describe_geometry(std::ostream& out, const oracle::Draw& d) {
   if (d.stipple) out << "  stipple " << d.stipple->bits << " factor " << d.stipple->factor << "\n";
 }
 
+void describe_lighting(std::ostream& out, const char* name, const std::optional<oracle::Lighting>& lighting) {
+  if (!lighting) return;
+  const auto triple = [&](const char* what, const glm::vec3& v) { out << " " << what << " " << v.x << " " << v.y << " " << v.z; };
+  out << "  " << name << ": halfway " << lighting->halfway << " two-sided " << lighting->two_sided << " shininess " << lighting->shininess;
+  triple("ambient", lighting->ambient);
+  triple("diffuse", lighting->diffuse);
+  triple("specular", lighting->specular);
+  triple("eye", lighting->eye);
+  for (const oracle::Light& light : lighting->lights) {
+    triple(light.is_point ? "; light at" : "; light from", light.towards);
+    triple("of", light.intensity);
+  }
+  out << "\n";
+}
+
 void describe_program(std::ostream& out, const oracle::Draw& d) {
   const oracle::Draw p;
   tell_if(out, "program", d.program.kind, p.program.kind);
@@ -183,7 +202,9 @@ void describe_vertices(std::ostream& out, const oracle::Draw& d) {
     if (d.space == oracle::PositionSpace::screen) out << "  vertex " << v.screen_x << " " << v.screen_y << " " << v.screen_depth << " w " << v.position.w;
     else out << "  vertex " << v.position.x << " " << v.position.y << " " << v.position.z << " " << v.position.w;
     out << "  colour " << v.colour.r << " " << v.colour.g << " " << v.colour.b << " " << v.colour.a << " texcoord " << v.texcoord.x << " "
-        << v.texcoord.y << " flag " << v.edge_flag << "\n";
+        << v.texcoord.y << " flag " << v.edge_flag;
+    if (d.has_normals) out << " normal " << v.normal.x << " " << v.normal.y << " " << v.normal.z;
+    out << "\n";
   }
   if (!d.indices.empty()) out << "  indices";
   for (const std::uint32_t index : d.indices) out << " " << index;
@@ -192,6 +213,8 @@ void describe_vertices(std::ostream& out, const oracle::Draw& d) {
 
 void describe(std::ostream& out, const oracle::Draw& draw) {
   describe_geometry(out, draw);
+  describe_lighting(out, "lighting", draw.vertex_lighting);
+  describe_lighting(out, "lighting of backs", draw.back_lighting);
   describe_program(out, draw);
   describe_fragments(out, draw);
   describe_vertices(out, draw);

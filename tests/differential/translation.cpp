@@ -109,10 +109,24 @@ void translate_texture_coordinates(const oracle::Draw& draw, TransformState& sta
   }
 }
 
+std::optional<Lighting> lighting_of(const std::optional<oracle::Lighting>& from) {
+  if (!from) return {};
+  Lighting lighting{.ambient = from->ambient, .diffuse = from->diffuse, .specular = from->specular, .shininess = from->shininess,
+                    .alpha = from->alpha, .halfway = from->halfway, .two_sided = from->two_sided, .eye = from->eye, .lights = {},
+                    .light_count = static_cast<int>(from->lights.size())};
+  for (std::size_t i = 0; i < from->lights.size(); ++i) {
+    const oracle::Light& light = from->lights[i];
+    lighting.lights[i] = {light.is_point ? Light::Kind::point : Light::Kind::directional, light.towards, light.intensity};
+  }
+  return lighting;
+}
+
 void translate_geometry(const oracle::Draw& draw, PipelineState& state) {
   state.transform.world_from_object = draw.world_from_object;
   state.transform.clip_from_world = draw.clip_from_world;
   state.transform.two_sided_colours = draw.two_sided_colours;
+  state.transform.vertex_lighting = lighting_of(draw.vertex_lighting);
+  state.transform.back_lighting = lighting_of(draw.back_lighting);
   state.assembly.topology = same<Topology>(draw.topology);
   state.clipping.volume = same<ClipVolume>(draw.volume);
   for (const glm::dvec4& plane : draw.user_planes)
@@ -161,12 +175,12 @@ MeshArrays arrays_of(const oracle::Draw& draw) {
     if (draw.space == oracle::PositionSpace::object) arrays.positions.emplace_back(v.position);
     if (draw.space == oracle::PositionSpace::clip) arrays.clip_positions.push_back(v.position);
     if (draw.space == oracle::PositionSpace::screen) arrays.screen_positions.push_back({v.screen_x, v.screen_y, v.screen_depth, v.position.w});
-    arrays.colours.push_back(v.colour);
+    if (draw.has_colours) arrays.colours.push_back(v.colour);
     arrays.texcoords.push_back(v.texcoord);
     if (draw.has_unit_texcoords)
       for (std::size_t k = 0; k < oracle::kTextureUnits; ++k) arrays.unit_texcoords[k].push_back(v.unit_texcoord[k]);
     if (draw.has_normals) arrays.normals.push_back(v.normal);
-    if (draw.two_sided_colours) arrays.back_colours.push_back(v.back_colour);
+    if (draw.two_sided_colours && draw.has_back_colours) arrays.back_colours.push_back(v.back_colour);
     if (draw.has_fog_coordinates) arrays.fog_coordinates.push_back(v.fog_coordinate);
     arrays.edge_flags.push_back(v.edge_flag ? 1 : 0);
   }
