@@ -7,18 +7,14 @@
 #include <string>
 
 #include "math/transforms.hpp"
+#include "pipeline/refusal.hpp"
 
 namespace tuberia {
 namespace {
 
-using Refusal = std::optional<Error>;
-
 constexpr Attributes attribute_of_unit(int unit) {
   return static_cast<Attributes>(static_cast<std::uint32_t>(Attributes::unit0) << unit);
 }
-
-bool is_finite(const glm::vec4& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z) && std::isfinite(v.w); }
-bool is_finite(const glm::mat4& m) { return is_finite(m[0]) && is_finite(m[1]) && is_finite(m[2]) && is_finite(m[3]); }
 
 bool is_linear(TexCoordSource source) { return source == TexCoordSource::object_linear || source == TexCoordSource::eye_linear; }
 
@@ -131,6 +127,12 @@ class UnitCoordinates {
   bool transforms_;
 };
 
+Refusal check_numbers(const std::string& name, const glm::vec4& numbers) {
+  for (int i = 0; i < 4; ++i)
+    if (auto refusal = check_finite(name + ", number " + std::to_string(i), numbers[i])) return refusal;
+  return {};
+}
+
 Refusal check_sources(const TexCoordUnit& unit, const std::string& name) {
   for (std::size_t i = 0; i < 4; ++i) {
     const std::string coordinate = name + "'s " + "strq"[i];
@@ -138,9 +140,11 @@ Refusal check_sources(const TexCoordUnit& unit, const std::string& name) {
     if (source == TexCoordSource::sphere_map && i > 1) return Error{coordinate + " cannot come from a sphere map, which gives s and t"};
     if ((source == TexCoordSource::reflection_map || source == TexCoordSource::normal_map) && i > 2)
       return Error{coordinate + " cannot come from a reflection or normal map, which give s, t and r"};
-    if (is_linear(source) && !is_finite(unit.plane[i])) return Error{coordinate + " has a plane that is not finite"};
+    if (is_linear(source))
+      if (auto refusal = check_numbers(coordinate + "'s plane", unit.plane[i])) return refusal;
   }
-  if (!is_finite(unit.matrix)) return Error{name + " has a texture matrix that is not finite"};
+  for (int column = 0; column < 4; ++column)
+    if (auto refusal = check_numbers(name + "'s matrix, column " + std::to_string(column), unit.matrix[column])) return refusal;
   return {};
 }
 
@@ -155,7 +159,6 @@ Refusal check_unit(const MeshView& mesh, const TransformState& state, int number
     return Error{name + " generates texture coordinates from object positions, which the mesh does not have"};
   if (needs_normals(unit) && mesh.normals.empty() && mesh.vertex_count() > 0)
     return Error{name + " generates texture coordinates from normals, which the mesh does not have"};
-  if (is_in_view_space(unit) && !is_finite(state.view_from_world)) return Error{name + " generates texture coordinates in view space, but view_from_world is not finite"};
   return {};
 }
 

@@ -12,7 +12,7 @@ Refusal check_matrix(const char* name, const glm::mat4& matrix) {
   for (int column = 0; column < 4; ++column)
     for (int row = 0; row < 4; ++row)
       if (!std::isfinite(matrix[column][row]))
-        return Error{std::string(name) + " has " + std::to_string(matrix[column][row]) + " in row " + std::to_string(row) + ", column " +
+        return Error{std::string(name) + " has " + words_of(matrix[column][row]) + " in row " + std::to_string(row) + ", column " +
                      std::to_string(column)};
   return {};
 }
@@ -24,19 +24,9 @@ Refusal check_user_planes(const ClippingState& state) {
   for (int k = 0; k < state.user_plane_count; ++k)
     for (int i = 0; i < 4; ++i)
       if (!std::isfinite(state.user_planes[static_cast<std::size_t>(k)][i]))
-        return Error{"user plane " + std::to_string(k) + " is not finite"};
+        return Error{"user plane " + std::to_string(k) + " has " + words_of(static_cast<float>(state.user_planes[static_cast<std::size_t>(k)][i])) +
+                     " as its " + "xyzw"[i] + "; it must be finite"};
   return {};
-}
-
-/// Not-a-number is out of every range.
-Refusal check_range(const char* name, float value, float low, float high) {
-  if (value >= low && value <= high) return {};
-  return Error{std::string(name) + " is " + std::to_string(value) + ", outside " + std::to_string(low) + " to " + std::to_string(high)};
-}
-
-Refusal check_finite(const char* name, float value) {
-  if (std::isfinite(value)) return {};
-  return Error{std::string(name) + " is " + std::to_string(value) + ", not a finite number"};
 }
 
 Refusal check_rasterization(const RasterizationState& state) {
@@ -49,19 +39,6 @@ Refusal check_rasterization(const RasterizationState& state) {
   return check_finite("the polygon offset's clamp", state.polygon_offset.clamp);
 }
 
-Refusal check_fog(const FogState& fog) {
-  if (fog.mode == FogMode::off) return {};
-  const std::pair<const char*, float> numbers[] = {{"the fog's density", fog.density}, {"the fog's start", fog.start},
-                                                   {"the fog's end", fog.end},         {"the fog's red", fog.colour.r},
-                                                   {"the fog's green", fog.colour.g},  {"the fog's blue", fog.colour.b}};
-  for (const auto& [name, value] : numbers)
-    if (auto refusal = check_finite(name, value)) return refusal;
-  if (fog.mode == FogMode::linear && fog.start == fog.end)
-    return Error{"linear fog starts and ends at " + std::to_string(fog.start) + "; the two must differ"};
-  if (fog.density < 0) return Error{"the fog's density is " + std::to_string(fog.density) + ", less than 0"};
-  return {};
-}
-
 }  // namespace
 
 Refusal check_geometry(const PipelineState& state) {
@@ -70,8 +47,7 @@ Refusal check_geometry(const PipelineState& state) {
   if (auto refusal = check_matrix("clip_from_world", transform.clip_from_world)) return refusal;
   if (auto refusal = check_matrix("view_from_world", transform.view_from_world)) return refusal;
   if (auto refusal = check_user_planes(state.clipping)) return refusal;
-  if (auto refusal = check_rasterization(state.rasterization)) return refusal;
-  return check_fog(state.fog);
+  return check_rasterization(state.rasterization);
 }
 
 Refusal check_viewport(const Viewport& viewport, const DepthRange& range) {
@@ -84,7 +60,7 @@ Refusal check_viewport(const Viewport& viewport, const DepthRange& range) {
                  std::to_string(kMost) + ", corners within +-" + std::to_string(kMost)};
   const auto in_unit = [](float depth) { return depth >= 0 && depth <= 1; };
   if (!in_unit(range.near_depth) || !in_unit(range.far_depth))
-    return Error{"the depth range " + std::to_string(range.near_depth) + " to " + std::to_string(range.far_depth) +
+    return Error{"the depth range " + words_of(range.near_depth) + " to " + words_of(range.far_depth) +
                  " leaves [0, 1]"};
   return {};
 }

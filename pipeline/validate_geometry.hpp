@@ -1,5 +1,5 @@
 #pragma once
-// Stage 0, for the state of the geometry stages, and fog.
+// Stage 0, for the state of the geometry stages.
 
 #include "pipeline/validate_mesh.hpp"
 

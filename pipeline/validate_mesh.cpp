@@ -55,8 +55,8 @@ Refusal check_screen_vertices(std::span<const ScreenVertex> vertices) {
     if (!in_band(v.x) || !in_band(v.y))
       return Error{name + " at (" + std::to_string(v.x) + ", " + std::to_string(v.y) + ") units leaves the guard band of +-" +
                    std::to_string(kGuardBandUnits)};
-    if (!(v.depth >= 0 && v.depth <= 1)) return Error{name + " has the depth " + std::to_string(v.depth) + ", outside [0, 1]"};
-    if (!(v.w > 0) || !std::isfinite(v.w)) return Error{name + " has w " + std::to_string(v.w) + "; it must be positive and finite"};
+    if (!(v.depth >= 0 && v.depth <= 1)) return Error{name + " has the depth " + words_of(v.depth) + ", outside [0, 1]"};
+    if (!(v.w > 0) || !std::isfinite(v.w)) return Error{name + " has w " + words_of(v.w) + "; it must be positive and finite"};
   }
   return {};
 }
@@ -80,9 +80,7 @@ Refusal check_lighting(const MeshView& mesh, const std::optional<Lighting>& ligh
   if (!lighting) return {};
   if (mesh.normals.empty()) return Error{name + " needs normals, which the mesh does not have"};
   if (!mesh.screen_positions.empty()) return Error{name + " needs positions in the world, but the mesh has screen_positions"};
-  if (lighting->light_count < 0 || lighting->light_count > Lighting::kMaxLights)
-    return Error{name + " has " + std::to_string(lighting->light_count) + " lights; 0 to " + std::to_string(Lighting::kMaxLights) +
-                 " are possible"};
+  if (const char* refusal = refusal_of(*lighting)) return Error{name + ": " + refusal};
   return {};
 }
 

@@ -1,15 +1,12 @@
 #pragma once
 // Stage 0, for the mesh and for what the program wants of it.
 
-#include <optional>
-
 #include "base/parallel_for.hpp"
 #include "base/result.hpp"
 #include "pipeline/draw_call.hpp"
+#include "pipeline/refusal.hpp"
 
 namespace tuberia {
-
-using Refusal = std::optional<Error>;  // empty: nothing is wrong
 
 /// Exactly one kind of positions, arrays of their length, indices within them, vertices of the
 /// screen on the screen.

@@ -1,26 +1,13 @@
 #include "pipeline/validate_output.hpp"
 
 #include <cmath>
-#include <sstream>
 #include <string>
 #include <utility>
 
+#include "pipeline/refusal.hpp"
+
 namespace tuberia {
 namespace {
-
-using Refusal = std::optional<Error>;
-
-/// As short as it can be said: "0.5", "1e+30", "nan".
-std::string words_of(float value) {
-  std::ostringstream words;
-  words << value;
-  return words.str();
-}
-
-Refusal check_finite(const std::string& field, float value) {
-  if (std::isfinite(value)) return {};
-  return Error{field + " is " + words_of(value) + "; it must be finite"};
-}
 
 Refusal check_colour(const std::string& field, const Rgba32F& colour) {
   for (const auto& [channel, value] : {std::pair{".r", colour.r}, {".g", colour.g}, {".b", colour.b}, {".a", colour.a}})
@@ -30,7 +17,8 @@ Refusal check_colour(const std::string& field, const Rgba32F& colour) {
 
 Refusal check_fog(const FogState& fog) {
   if (fog.mode == FogMode::off) return {};
-  if (Refusal refusal = check_colour("fog.colour", fog.colour)) return refusal;
+  for (const auto& [channel, value] : {std::pair{".r", fog.colour.r}, {".g", fog.colour.g}, {".b", fog.colour.b}})
+    if (Refusal refusal = check_finite(std::string("fog.colour") + channel, value)) return refusal;
   if (fog.mode == FogMode::linear) {
     if (Refusal refusal = check_finite("fog.start", fog.start)) return refusal;
     return check_finite("fog.end", fog.end);

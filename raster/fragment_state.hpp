@@ -22,7 +22,7 @@ enum class FogMode : std::uint8_t { off, linear, exp, exp2 };
 struct FogState {
   FogMode mode = FogMode::off;
   Rgba32F colour{0, 0, 0, 0};  // linear; its alpha is not used: fog leaves alpha alone
-  float density = 1, start = 0, end = 1;  // density >= 0; with start = end a step: all the colour before it, none behind
+  float density = 1, start = 0, end = 1;  // density >= 0; with start = end a step: all the colour before it, none from there on
   bool operator==(const FogState&) const = default;
 };
 

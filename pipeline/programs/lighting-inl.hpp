@@ -7,6 +7,7 @@
 #define TUBERIA_PIPELINE_PROGRAMS_LIGHTING_INL
 #endif
 
+#include "pipeline/refusal.hpp"
 #include "pipeline/state.hpp"
 #include "raster/simd/elementary-inl.hpp"
 #include "raster/simd/vector-inl.hpp"
@@ -21,12 +22,6 @@ template <class F>
 HWY_INLINE F highlight(const Lighting& lighting, Vec3<F> n, Vec3<F> l, Vec3<F> v) {
   const F cosine = lighting.halfway ? dot(n, normalize(l + v)) : dot(-reflect(l, n), v);
   return pow(max(cosine, 0.0f), F(lighting.shininess));
-}
-
-/// Why this lighting cannot be computed; null when it can.
-inline const char* refusal_of(const Lighting& lighting) {
-  const bool possible = lighting.light_count >= 0 && lighting.light_count <= Lighting::kMaxLights;
-  return possible ? nullptr : "its number of lights is out of range";
 }
 
 /// Reflected light at a point. n, v: unit, away from the surface. diffuse: kd there.

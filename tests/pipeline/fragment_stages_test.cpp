@@ -264,4 +264,20 @@ TEST_CASE("fragment stages: a closed surface is entered as often as it is left",
   });
 }
 
+TEST_CASE("fragment stages: linear fog that ends where it starts is a step", "[pipeline]") {
+  test::for_every_instruction_set([](InstructionSet set) {
+    // Three points before, in and behind the step; a white fragment, black fog.
+    const std::vector<ScreenVertex> points{{128, 128}, {384, 128}, {640, 128}};
+    const std::vector<float> coordinates{0.75f, 1.0f, 1.25f};
+    DrawCall draw{.mesh = {.screen_positions = points, .fog_coordinates = coordinates}, .program = flat(), .state = {}};
+    draw.state.assembly.topology = Topology::points;
+    draw.state.fog = {.mode = FogMode::linear, .start = 1, .end = 1};
+    Pipeline pipeline({.threads = 1, .instruction_set = set});
+    RenderTarget target = *RenderTarget::create(3, 1);
+    REQUIRE(pipeline.draw(target, draw).ok());
+    const Image<Rgba8> image = target.colour_image();
+    CHECK((image.at(0, 0).r == 255 && image.at(1, 0).r == 0 && image.at(2, 0).r == 0));
+  });
+}
+
 }  // namespace tuberia

@@ -53,6 +53,8 @@ TEST_CASE("validate: fragment state out of range is refused with its value", "[p
   CHECK_THAT(output_refusal_of(fog), Contains("fog.density is -2"));
   fog.fog.mode = FogMode::linear;
   CHECK(output_refusal_of(fog) == "accepted");
+  fog.fog.start = fog.fog.end = 1, fog.fog.colour.a = nan;
+  CHECK(output_refusal_of(fog) == "accepted");
   fog.fog.end = inf;
   CHECK_THAT(output_refusal_of(fog), Contains("fog.end is inf"));
 }

@@ -83,12 +83,40 @@ TEST_CASE("validate: lighting needs normals and a sensible number of lights", "[
   CHECK(refusal(complete_mesh(), gouraud(), state) == "(accepted)");
   for (const int count : {-1, 5, 1000}) {
     state.transform.vertex_lighting->light_count = count;
-    CHECK_THAT(refusal(complete_mesh(), gouraud(), state), Contains(std::to_string(count) + " lights"));
+    CHECK_THAT(refusal(complete_mesh(), gouraud(), state), Contains("number of lights is " + std::to_string(count)));
   }
   state.transform.vertex_lighting->light_count = 1;
   test::Mesh mesh = complete_mesh();
   mesh.normals.clear();
   CHECK_THAT(refusal(mesh, gouraud(), state), Contains("needs normals"));
+}
+
+TEST_CASE("validate: lighting that is not finite is named, field and value", "[pipeline]") {
+  constexpr float kNaN = std::numeric_limits<float>::quiet_NaN(), kInfinity = std::numeric_limits<float>::infinity();
+  const auto both = [](const Lighting& lighting) {
+    PipelineState state;
+    state.transform.vertex_lighting = lighting;
+    const std::string vertices = refusal(complete_mesh(), gouraud(), state), fragments = refusal(complete_mesh(), phong(lighting));
+    return vertices == "(accepted)" ? fragments : vertices + "\n" + fragments;
+  };
+  const auto refused_twice = [&](const Lighting& lighting, const std::string& words) {
+    CHECK_THAT(both(lighting), Contains("vertex lighting: " + words) && Contains("program 'phong': " + words));
+  };
+  CHECK(both({}) == "(accepted)");
+  refused_twice({.ambient = glm::vec3(0, kNaN, 0)}, "ambient.y is nan");
+  refused_twice({.diffuse = glm::vec3(kInfinity)}, "diffuse.x is inf");
+  refused_twice({.specular = glm::vec3(0, 0, kNaN)}, "specular.z is nan");
+  refused_twice({.shininess = -1}, "shininess is -1");
+  refused_twice({.shininess = kNaN}, "shininess is nan");
+  refused_twice({.alpha = kNaN}, "alpha is nan");
+  refused_twice({.eye = glm::vec3(kInfinity, 0, 0)}, "eye.x is inf");
+  Lighting lit;
+  lit.lights[0].towards.y = kNaN;
+  refused_twice(lit, "lights[0].towards.y is nan");
+  lit.lights[0] = {.intensity = glm::vec3(0, 0, kInfinity)};
+  refused_twice(lit, "lights[0].intensity.z is inf");
+  lit.light_count = 0;  // nobody reads it
+  CHECK(both(lit) == "(accepted)");
 }
 
 TEST_CASE("validate: a program with uniforms it cannot draw with is refused", "[pipeline]") {
