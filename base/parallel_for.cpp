@@ -6,6 +6,9 @@
 
 #include <atomic>
 #include <cstddef>
+#include <mutex>
+#include <optional>
+#include <set>
 #include <thread>
 #include <vector>
 
@@ -19,27 +22,69 @@
 
 namespace tuberia {
 
-struct Workers::Arena {
-  // Without the control, the library would give no arena more threads than there are cores, and
-  // the tests could not show that seven threads draw what one draws.
-  explicit Arena(int thread_count)
-      : control(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(thread_count)),
-        arena(thread_count) {}
-  tbb::global_control control;
-  tbb::task_arena arena;
-};
-
 namespace {
 
-int threads_or_cores(int thread_count) {
-  if (thread_count > 0) return thread_count;
-  const unsigned cores = std::thread::hardware_concurrency();
-  return cores > 0 ? static_cast<int>(cores) : 1;
+int cores() {
+  const unsigned count = std::thread::hardware_concurrency();
+  return count > 0 ? static_cast<int>(count) : 1;
+}
+
+/// What the thread library is allowed: by itself it gives no arena more threads than there are cores,
+/// and the tests could not show that seven threads draw what one draws. A control lifts that, but of
+/// several controls the smallest counts, for the whole process. So there is one at most, as large as
+/// the largest Workers alive, and none where the cores suffice: the program around us may use them.
+class Parallelism {
+ public:
+  void add(int thread_count) {
+    const std::lock_guard lock(mutex_);
+    counts_.insert(thread_count);
+    adjust();
+  }
+  void remove(int thread_count) {
+    const std::lock_guard lock(mutex_);
+    counts_.erase(counts_.find(thread_count));
+    adjust();
+  }
+
+ private:
+  void adjust() {
+    const int wanted = counts_.empty() ? 0 : *counts_.rbegin();
+    if (wanted == lifted_to_ || (wanted <= cores() && !control_)) return;
+    control_.reset();
+    lifted_to_ = wanted;
+    if (wanted > cores()) control_.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(wanted));
+  }
+
+  std::mutex mutex_;
+  std::multiset<int> counts_;
+  std::optional<tbb::global_control> control_;
+  int lifted_to_ = 0;
+};
+
+Parallelism& parallelism() {
+  static Parallelism the_only;
+  return the_only;
 }
 
 }  // namespace
 
-Workers::Workers(int thread_count) : thread_count_(threads_or_cores(thread_count)) {
+struct Workers::Arena {
+  explicit Arena(int count) : thread_count(count) {
+    parallelism().add(count);
+    arena.initialize(count);
+  }
+  ~Arena() {
+    arena.terminate();
+    parallelism().remove(thread_count);
+  }
+  Arena(const Arena&) = delete;
+  Arena& operator=(const Arena&) = delete;
+
+  int thread_count;
+  tbb::task_arena arena;
+};
+
+Workers::Workers(int thread_count) : thread_count_(thread_count > 0 ? thread_count : cores()) {
   if (thread_count_ > 1) arena_ = std::make_unique<Arena>(thread_count_);
 }
 

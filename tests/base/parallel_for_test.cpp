@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <memory>
 #include <thread>
 #include <vector>
 
@@ -50,19 +51,38 @@ TEST_CASE("parallel_for: what the items wrote can be read when it returns", "[ba
   }
 }
 
-TEST_CASE("parallel_for: seven threads really are seven, whatever the core count", "[base][threads]") {
+namespace {
+
+/// How many of `count` items meet all the others, which only so many threads can satisfy; a busy
+/// machine may take a while to start them, but not this long.
+int how_many_meet(Workers& workers, int count) {
   using Clock = std::chrono::steady_clock;
-  Workers workers(7);
-  // Each item waits for all the others, which only seven threads can satisfy; a busy machine may
-  // take a while to start them, but not this long.
   const Clock::time_point deadline = Clock::now() + std::chrono::seconds(60);
   std::atomic<int> arrived{0}, met_all{0};
-  parallel_for(workers, 7, [&](std::int64_t, int) {
+  parallel_for(workers, count, [&](std::int64_t, int) {
     ++arrived;
-    while (arrived < 7 && Clock::now() < deadline) std::this_thread::yield();
+    while (arrived < count && Clock::now() < deadline) std::this_thread::yield();
     if (Clock::now() < deadline) ++met_all;
   });
-  CHECK(met_all == 7);
+  return met_all;
+}
+
+}  // namespace
+
+TEST_CASE("parallel_for: seven threads really are seven, whatever the core count", "[base][threads]") {
+  Workers workers(7);
+  CHECK(how_many_meet(workers, 7) == 7);
+}
+
+TEST_CASE("parallel_for: workers with few threads leave others theirs", "[base][threads]") {
+  Workers two(2), seven(7);
+  auto three = std::make_unique<Workers>(3);
+  CHECK(how_many_meet(seven, 7) == 7);
+  three.reset();
+  Workers nine(9);
+  CHECK(how_many_meet(seven, 7) == 7);
+  CHECK(how_many_meet(nine, 9) == 9);
+  CHECK(how_many_meet(two, 2) == 2);
 }
 
 TEST_CASE("parallel_for: zero threads means one per core", "[base][threads]") {
