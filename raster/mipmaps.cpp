@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 namespace tuberia {
 namespace {
@@ -23,8 +24,20 @@ Taps taps_of(int size, int i) {
                      static_cast<float>(i + 1) * unit}};
 }
 
+/// One channel of a mean: the weights of thirds and fifths do not add up to 1 to the last digit, so
+/// the sum is kept within the texels' range, and a constant stays one.                 [rules T1]
+struct Mean {
+  float sum = 0, low = std::numeric_limits<float>::infinity(), high = -low;
+  void add(float weight, float texel) {
+    sum += weight * texel;
+    low = std::min(low, texel);
+    high = std::max(high, texel);
+  }
+  float value() const { return sum < low ? low : sum > high ? high : sum; }
+};
+
 Rgba32F weighted_mean(const LinearLevel& from, const Taps& columns, const Taps& rows, const Taps& slices) {
-  Rgba32F sum{0, 0, 0, 0};
+  Mean r, g, b, a;
   for (int k = 0; k < slices.count; ++k)
     for (int j = 0; j < rows.count; ++j)
       for (int i = 0; i < columns.count; ++i) {
@@ -32,12 +45,12 @@ Rgba32F weighted_mean(const LinearLevel& from, const Taps& columns, const Taps& 
         const float weight = of(slices, k) * (of(rows, j) * of(columns, i));
         const std::size_t row = static_cast<std::size_t>(slices.first + k) * static_cast<std::size_t>(from.height) + static_cast<std::size_t>(rows.first + j);
         const Rgba32F& texel = from.texels[row * static_cast<std::size_t>(from.width) + static_cast<std::size_t>(columns.first + i)];
-        sum.r += weight * texel.r;
-        sum.g += weight * texel.g;
-        sum.b += weight * texel.b;
-        sum.a += weight * texel.a;
+        r.add(weight, texel.r);
+        g.add(weight, texel.g);
+        b.add(weight, texel.b);
+        a.add(weight, texel.a);
       }
-  return sum;
+  return {r.value(), g.value(), b.value(), a.value()};
 }
 
 }  // namespace

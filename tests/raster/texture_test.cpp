@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "math/colour.hpp"
@@ -131,6 +133,20 @@ TEST_CASE("texture: a constant stays constant on every level", "[raster][case-42
           if (texel != Rgba8{c, c, c, c}) FAIL("code " << code << ", level " << level);
       }
     }
+}
+
+TEST_CASE("texture: a constant of floats stays constant to the last bit on every level", "[raster][case-42]") {
+  test::Random random(42);
+  for (int i = 0; i < 500; ++i) {
+    const Rgba32F constant{random.between(-8, 8), std::exp2(random.between(-20, 20)), 7.77f, 0.9f};
+    const int width = 1 + static_cast<int>(random.below(17)), height = 1 + static_cast<int>(random.below(17));
+    INFO("seed 42, texture " << i << " of " << width << " x " << height);
+    const Texture texture = *Texture::create(Image<Rgba32F>(width, height, constant));
+    for (int level = 0; level < texture.level_count(); ++level) {
+      const Image<Rgba32F> image = texture.float_level_image(level);
+      CHECK(std::all_of(image.pixels().begin(), image.pixels().end(), [&](const Rgba32F& texel) { return texel == constant; }));
+    }
+  }
 }
 
 TEST_CASE("texture: sizes out of range are refused", "[raster]") {
