@@ -36,8 +36,9 @@ struct Sampler {
   bool operator==(const Sampler&) const = default;
 };
 
-/// Why a sampler makes no sense: an anisotropy outside 1..16, bounds in the wrong order, numbers that
-/// are not finite; null when it does. Sampling with one that does not is safe all the same.
+/// Why a sampler makes no sense: an anisotropy outside 1..16, bounds in the wrong order (infinite
+/// ones are none), a bias or border that is not finite; null when it does. The text lasts until the
+/// next one on this thread. Sampling with a sampler that is refused is safe all the same.
 const char* refusal_of(const Sampler& sampler) noexcept;
 
 }  // namespace tuberia
