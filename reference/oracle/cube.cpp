@@ -40,6 +40,25 @@ std::vector<CubeFace> faces_of(const std::array<Interval, 3>& direction) {
   return faces;
 }
 
+Triple in_frame(int face, const Triple& v) {
+  const FaceAxes& axes = kFaces[static_cast<std::size_t>(face)];
+  const auto along = [&](int axis, double sign) {
+    const Interval c = v[static_cast<std::size_t>(axis)];
+    return sign > 0 ? c : -c;
+  };
+  return {along(axes.s_axis, axes.s_sign), along(axes.t_axis, axes.t_sign), along(axes.major, axes.major_sign)};
+}
+
+Steps projected_steps(int face, const Triple& direction, const Steps& steps, int size) {
+  const auto [a, b, m] = in_frame(face, direction);
+  const Interval s = a / m, t = b / m, half = size / 2.0;
+  const auto projected = [&, m = m](const Triple& step) {
+    const auto [da, db, dm] = in_frame(face, step);
+    return Triple{((da - s * dm) / m) * half, ((db - t * dm) / m) * half, 0.0};
+  };
+  return {projected(steps.x), projected(steps.y)};
+}
+
 const Colour& cube_texel(const TextureLevel& level, std::int64_t i, std::int64_t j, int face) {
   const int n = level.width;
   if (i >= 0 && i < n && j >= 0 && j < n) return level.at(static_cast<int>(i), static_cast<int>(j), face);

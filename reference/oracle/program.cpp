@@ -17,7 +17,7 @@ Interval scalar_at(const Shape& shape, const Draw& draw, const FragmentWeights& 
 TexturePoint point_at(const Shape& shape, const Draw& draw, const Texture& texture, std::size_t first, int x, int y) {
   const FragmentWeights w = perspective_weights(shape, shape.weights(x, y));
   const auto scalar = [&](std::size_t i) { return scalar_at(shape, draw, w, first + i); };
-  TexturePoint point{scalar(0), scalar(1), 0.0, 0.0, 0.0};
+  TexturePoint point{scalar(0), scalar(1), 0.0, 0.0};
   if (first < kUnitCoordinates) return point;
   point.r = scalar(2);
   const Interval q = scalar(3);
@@ -34,30 +34,29 @@ TexturePoint point_at(const Shape& shape, const Draw& draw, const Texture& textu
   return point;
 }
 
-Interval length(Interval a, Interval b) {
-  const Interval squared = absolute(a) * absolute(a) + absolute(b) * absolute(b);
-  if (!squared.is_known()) return unknown();
-  return widened({std::sqrt(std::max(squared.low, 0.0)), std::sqrt(squared.high)});
-}
-
-/// With the change of the coordinates from the quad's upper left pixel to the next ones.
-TexturePoint with_change(TexturePoint point, const Shape& shape, const Draw& draw, const Texture& texture, std::size_t first, int x, int y) {
-  const int left = x & ~1, top = y & ~1;
-  const TexturePoint corner = point_at(shape, draw, texture, first, left, top);
-  const auto change = [&](const TexturePoint& other) {
-    return length((other.s - corner.s) * Interval(static_cast<double>(texture.width)),
-                  (other.t - corner.t) * Interval(static_cast<double>(texture.height)));
-  };
+/// With the changes of the coordinates from the quad's upper left pixel to the next ones.
+TexturePoint with_steps(TexturePoint point, const Shape& shape, const Draw& draw, const Texture& texture, std::size_t first, int x, int y) {
   if (draw.flat_shading) return point;
-  const Interval right = change(point_at(shape, draw, texture, first, left + 1, top));
-  const Interval below = change(point_at(shape, draw, texture, first, left, top + 1));
-  point.change = right.is_known() && below.is_known() ? larger(right, below) : unknown();
+  const int left = x & ~1, top = y & ~1;
+  const auto at = [&](int px, int py) {
+    const TexturePoint p = point_at(shape, draw, texture, first, px, py);
+    return Triple{p.s, p.t, p.r};
+  };
+  const Triple corner = at(left, top), right = at(left + 1, top), below = at(left, top + 1);
+  const std::array<int, 3> size{texture.width, texture.height, texture.slices};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Interval texels = size[i];
+    point.steps.x[i] = right[i] - corner[i];
+    point.steps.y[i] = below[i] - corner[i];
+    point.texel_steps.x[i] = right[i] * texels - corner[i] * texels;
+    point.texel_steps.y[i] = below[i] * texels - corner[i] * texels;
+  }
   return point;
 }
 
 Colour texel_at(const Shape& shape, const Draw& draw, const Texture& texture, const Sampler& sampler, std::size_t first, int x, int y) {
   TexturePoint point = point_at(shape, draw, texture, first, x, y);
-  if (sampler.mipmaps != MipmapFilter::none) point = with_change(point, shape, draw, texture, first, x, y);
+  if (sampler.mipmaps != MipmapFilter::none) point = with_steps(point, shape, draw, texture, first, x, y);
   return sample(texture, sampler, point);
 }
 

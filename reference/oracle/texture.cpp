@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "reference/oracle/cube.hpp"
+#include "reference/oracle/footprint.hpp"
 
 namespace tuberia::oracle {
 namespace {
@@ -157,25 +158,17 @@ Colour read_level(const Texture& texture, const Sampler& sampler, const TextureP
   return is_first ? every(unknown()) : result;
 }
 
-/// The level of detail for a change of so many texels from pixel to pixel.
-Interval level_of_detail(const Sampler& sampler, Interval change, double last) {
-  if (!change.is_known()) return {0, last};
-  const auto lod = [&](double texels, double error) {
-    if (texels <= 0) return -1e3;  // no change at all: the largest level
-    const double log = std::log2(texels);
-    return log + error * (1 + std::abs(log)) * 1e-6 + static_cast<double>(sampler.lod_bias);
-  };
-  const Interval unclamped{lod(change.low, -1), lod(change.high, 1)};
-  return clamped(clamped(unclamped, static_cast<double>(sampler.min_lod), static_cast<double>(sampler.max_lod)), 0, last);
+/// With bias and bounds.
+Interval bounded_level(const Sampler& sampler, Interval lod, double last) {
+  const Interval biased = lod + Interval(static_cast<double>(sampler.lod_bias));
+  const Interval within = clamped(biased, static_cast<double>(sampler.min_lod), static_cast<double>(sampler.max_lod));
+  return clamped(within, 0, last);
 }
 
-}  // namespace
-
-Colour sample(const Texture& texture, const Sampler& sampler, const TexturePoint& point) {
-  if (!point.s.is_known() || !point.t.is_known() || !point.r.is_known()) return every(unknown());
+Colour read_levels(const Texture& texture, const Sampler& sampler, const TexturePoint& point, Interval unbounded_level) {
   const double last = static_cast<double>(texture.levels.size() - 1);
   if (sampler.mipmaps == MipmapFilter::none || last == 0) return read_level(texture, sampler, point, 0);
-  const Interval lod = level_of_detail(sampler, point.change, last);
+  const Interval lod = bounded_level(sampler, unbounded_level, last);
   const auto level = [&](double number) { return read_level(texture, sampler, point, static_cast<std::size_t>(std::clamp(number, 0.0, last))); };
   bool is_first = true;
   Colour result;
@@ -190,6 +183,23 @@ Colour sample(const Texture& texture, const Sampler& sampler, const TexturePoint
       add(mixed(level(i), level(i + 1), fraction(lod, static_cast<std::int64_t>(i))));
   }
   return result;
+}
+
+}  // namespace
+
+Colour sample(const Texture& texture, const Sampler& sampler, const TexturePoint& point) {
+  if (!point.s.is_known() || !point.t.is_known() || !point.r.is_known()) return every(unknown());
+  if (texture.kind != TextureKind::cube) return read_levels(texture, sampler, point, level_of_detail(point.texel_steps));
+  const Triple direction{point.s, point.t, point.r};
+  bool is_first = true;
+  Colour result;
+  for (const CubeFace& face : faces_of(direction)) {
+    const Steps texels = projected_steps(face.number, direction, point.steps, texture.width);
+    const Colour one = read_levels(texture, sampler, point, level_of_detail(texels));
+    result = is_first ? one : hull_of(result, one);
+    is_first = false;
+  }
+  return is_first ? every(unknown()) : result;
 }
 
 }  // namespace tuberia::oracle

@@ -49,14 +49,21 @@ struct Texture {
   std::vector<TextureLevel> levels;                 // made by `complete`
 };
 
-/// Decodes the texels, and makes the smaller levels of one- and two-dimensional textures.
+/// Decodes the texels, and makes the smaller levels.
 void complete(Texture&);
 
+using Triple = std::array<Interval, 3>;
+
+/// How far something changes to the next pixels of the quad, in x and in y.
+struct Steps {
+  Triple x{}, y{};
+};
+
 /// Where a texture is read: s, t, r (for cubes a direction), what depths are compared with, and how
-/// far s and t (in texels of the largest level) change to the next pixels of the quad.
+/// far the coordinates change, as they are and (not of cubes) in texels of the largest level.
 struct TexturePoint {
   Interval s, t, r, reference;
-  Interval change = 0.0;  // the longer of the two
+  Steps steps{}, texel_steps{};
 };
 
 /// The colour there, bounded.

@@ -12,8 +12,11 @@ using Mean = std::array<double, 4>;
 
 /// A level before it is rounded.
 struct Unrounded {
-  int width = 0, height = 0;
+  int width = 0, height = 0, slices = 1;
   std::vector<Mean> texels;
+  const Mean& at(std::size_t x, std::size_t y, std::size_t z) const {
+    return texels[(z * static_cast<std::size_t>(height) + y) * static_cast<std::size_t>(width) + x];
+  }
 };
 
 /// Shares of the texels of a row that place i of a row half as long covers.
@@ -27,28 +30,39 @@ std::vector<double> shares(int from, int to, int i) {
   return share;
 }
 
-Unrounded halved(const Unrounded& from) {
-  Unrounded to{std::max(from.width / 2, 1), std::max(from.height / 2, 1), {}};
-  for (int y = 0; y < to.height; ++y)
-    for (int x = 0; x < to.width; ++x) {
-      const std::vector<double> across = shares(from.width, to.width, x), down = shares(from.height, to.height, y);
-      Mean mean{};
-      for (std::size_t j = 0; j < down.size(); ++j)
-        for (std::size_t i = 0; i < across.size(); ++i)
-          for (std::size_t c = 0; c < 4; ++c)
-            mean[c] += across[i] * down[j] * from.texels[j * static_cast<std::size_t>(from.width) + i][c];
-      to.texels.push_back(mean);
-    }
+using Shares = std::vector<double>;
+
+Mean mean_of(const Unrounded& from, const Shares& across, const Shares& down, const Shares& deep) {
+  Mean mean{};
+  for (std::size_t k = 0; k < deep.size(); ++k)
+    for (std::size_t j = 0; j < down.size(); ++j)
+      for (std::size_t i = 0; i < across.size(); ++i) {
+        const double share = across[i] * down[j] * deep[k];
+        if (share == 0) continue;
+        for (std::size_t c = 0; c < 4; ++c) mean[c] += share * from.at(i, j, k)[c];
+      }
+  return mean;
+}
+
+/// The slices of a box are halved, too; the faces of a cube stay apart.
+Unrounded halved(const Unrounded& from, bool is_box) {
+  Unrounded to{std::max(from.width / 2, 1), std::max(from.height / 2, 1), is_box ? std::max(from.slices / 2, 1) : from.slices, {}};
+  for (int z = 0; z < to.slices; ++z)
+    for (int y = 0; y < to.height; ++y)
+      for (int x = 0; x < to.width; ++x)
+        to.texels.push_back(mean_of(from, shares(from.width, to.width, x), shares(from.height, to.height, y), shares(from.slices, to.slices, z)));
   return to;
 }
 
-TextureLevel rounded(const Unrounded& level, ColourFormat format) {
-  TextureLevel result{level.width, level.height, 1, {}};
+/// A mean of up to 27 texels takes as many roundings, those of its weights, and one of its decoding: less
+/// than 2.5e-6 of its size, at each of `steps` levels.
+TextureLevel rounded(const Unrounded& level, ColourFormat format, int steps) {
+  TextureLevel result{level.width, level.height, level.slices, {}};
   for (const Mean& mean : level.texels) {
     Colour colour;
     for (std::size_t c = 0; c < 4; ++c) {
       const int channel = static_cast<int>(c);
-      colour[c] = linear(stored(widened(mean[c], 1e-6), channel, format), channel, format);
+      colour[c] = linear(stored(widened(mean[c], 2.5e-6 * steps), channel, format), channel, format);
     }
     result.texels.push_back(colour);
   }
@@ -60,7 +74,7 @@ TextureLevel rounded(const Unrounded& level, ColourFormat format) {
 void complete(Texture& texture) {
   const ColourFormat format = texture.is_srgb ? ColourFormat::srgb8 : ColourFormat::rgba8;
   TextureLevel first{texture.width, texture.height, texture.slices, {}};
-  Unrounded level{texture.width, texture.height, {}};
+  Unrounded level{texture.width, texture.height, texture.slices, {}};
   for (const auto& codes : texture.texels) {
     Colour colour;
     Mean mean;
@@ -79,9 +93,10 @@ void complete(Texture& texture) {
   }
   texture.levels = {first};
   if (!texture.has_mipmaps) return;
-  while (level.width > 1 || level.height > 1) {
-    level = halved(level);
-    texture.levels.push_back(rounded(level, format));
+  const bool is_box = texture.kind == TextureKind::three_dimensional;
+  while (level.width > 1 || level.height > 1 || (is_box && level.slices > 1)) {
+    level = halved(level, is_box);
+    texture.levels.push_back(rounded(level, format, static_cast<int>(texture.levels.size())));
   }
 }
 

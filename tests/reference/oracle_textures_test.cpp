@@ -28,7 +28,7 @@ Interval read_at(const Texture& texture, double u, TexelFilter filter, Wrap wrap
   Sampler sampler;
   sampler.texels = filter;
   sampler.wrap_u = wrap;
-  return sample(texture, sampler, {u, 0.0, 0.0, 0.0, 0.0})[0];
+  return sample(texture, sampler, {u, 0.0, 0.0, 0.0})[0];
 }
 
 TEST_CASE("oracle: a ramp of four texels, filtered", "[reference]") {
