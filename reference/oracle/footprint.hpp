@@ -5,7 +5,14 @@
 
 namespace tuberia::oracle {
 
-/// The level of detail, bias and bounds not yet in it, for steps in texels of level 0.
-Interval level_of_detail(const Steps& texels);
+struct Footprint {
+  Interval level_of_detail;           // bias and bounds not yet in it
+  Interval taps = 1.0;                // how many samples; rounded up
+  Interval along_x = 0.0, along_y = 0.0;  // the longer axis, in steps to the next pixels, of length 1; either way round
+};
+
+/// For steps in texels of level 0: of a pixel whose longer step decides, and of an ellipse.
+Footprint round_footprint(const Steps& texels);
+Footprint elliptic_footprint(const Steps& texels, float max_anisotropy);
 
 }  // namespace tuberia::oracle

@@ -56,7 +56,7 @@ TexturePoint with_steps(TexturePoint point, const Shape& shape, const Draw& draw
 
 Colour texel_at(const Shape& shape, const Draw& draw, const Texture& texture, const Sampler& sampler, std::size_t first, int x, int y) {
   TexturePoint point = point_at(shape, draw, texture, first, x, y);
-  if (sampler.mipmaps != MipmapFilter::none) point = with_steps(point, shape, draw, texture, first, x, y);
+  if (sampler.mipmaps != MipmapFilter::none || sampler.max_anisotropy > 1) point = with_steps(point, shape, draw, texture, first, x, y);
   return sample(texture, sampler, point);
 }
 

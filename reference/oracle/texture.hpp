@@ -25,6 +25,7 @@ struct Sampler {
   Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat, wrap_w = Wrap::repeat;
   glm::vec4 border{0};
   float lod_bias = 0, min_lod = 0, max_lod = 1000;
+  float max_anisotropy = 1;
   std::optional<Compare> compare;  // of depth textures
 };
 

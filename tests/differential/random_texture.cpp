@@ -41,6 +41,7 @@ oracle::Sampler random_sampler(Dice& dice, const oracle::Texture& texture) {
   if (dice.one_in(3)) sampler.lod_bias = dice.between(-2, 2);
   if (dice.one_in(4)) sampler.min_lod = dice.between(0, 2);
   if (dice.one_in(4)) sampler.max_lod = sampler.min_lod + dice.between(0, 2);
+  if (dice.one_in(4)) sampler.max_anisotropy = dice.one_in(2) ? dice.between(1, 16) : static_cast<float>(1 << dice.below(5));
   if (texture.is_depth && !dice.one_in(3)) sampler.compare = static_cast<oracle::Compare>(dice.below(8));
   return sampler;
 }

@@ -148,7 +148,7 @@ void describe_program(std::ostream& out, const oracle::Draw& d) {
   if (d.program.texture != nullptr) {
     const auto& s = d.program.sampler;
     out << "  texture " << d.program.texture->width << "x" << d.program.texture->height << " srgb " << d.program.texture->is_srgb << " filter "
-        << static_cast<int>(s.texels) << " mipmaps " << static_cast<int>(s.mipmaps) << " wraps " << static_cast<int>(s.wrap_u) << " " << static_cast<int>(s.wrap_v) << " cut out "
+        << static_cast<int>(s.texels) << " mipmaps " << static_cast<int>(s.mipmaps) << " anisotropy " << s.max_anisotropy << " lod " << s.lod_bias << " in " << s.min_lod << " to " << s.max_lod << " wraps " << static_cast<int>(s.wrap_u) << " " << static_cast<int>(s.wrap_v) << " cut out "
         << d.program.cut_out << " below " << d.program.alpha_cutoff << "\n";
   }
   for (const auto& unit : d.program.units) {
@@ -156,7 +156,7 @@ void describe_program(std::ostream& out, const oracle::Draw& d) {
     const auto& s = unit.sampler;
     out << "  unit: texture kind " << static_cast<int>(unit.texture->kind) << " " << unit.texture->width << "x" << unit.texture->height
         << "x" << unit.texture->slices << " srgb " << unit.texture->is_srgb << " depth " << unit.texture->is_depth << " filter "
-        << static_cast<int>(s.texels) << " mipmaps " << static_cast<int>(s.mipmaps) << " wraps " << static_cast<int>(s.wrap_u) << " "
+        << static_cast<int>(s.texels) << " mipmaps " << static_cast<int>(s.mipmaps) << " anisotropy " << s.max_anisotropy << " lod " << s.lod_bias << " in " << s.min_lod << " to " << s.max_lod << " wraps " << static_cast<int>(s.wrap_u) << " "
         << static_cast<int>(s.wrap_v) << " " << static_cast<int>(s.wrap_w) << " compare " << (s.compare ? static_cast<int>(*s.compare) : -1)
         << " colour " << static_cast<int>(unit.colour.function) << " alpha " << static_cast<int>(unit.alpha.function) << "\n";
   }

@@ -27,6 +27,7 @@ Sampler sampler_of(const oracle::Sampler& from) {
   sampler.lod_bias = from.lod_bias;
   sampler.min_lod = from.min_lod;
   sampler.max_lod = from.max_lod;
+  sampler.max_anisotropy = from.max_anisotropy;
   if (from.compare) sampler.compare = same<Compare>(*from.compare);
   return sampler;
 }
