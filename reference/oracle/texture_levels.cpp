@@ -55,14 +55,18 @@ Unrounded halved(const Unrounded& from, bool is_box) {
 }
 
 /// A mean of up to 27 texels takes as many roundings, those of its weights, and one of its decoding: less
-/// than 2.5e-6 of its size, at each of `steps` levels.
-TextureLevel rounded(const Unrounded& level, ColourFormat format, int steps) {
+/// than 2.5e-6 of the largest texel, at each of `steps` levels. Floats may cancel in a mean, codes do not.
+TextureLevel rounded(const Unrounded& level, const Texture& texture, ColourFormat format, int steps) {
+  double largest = 0;
+  for (const glm::vec4& f : texture.floats)
+    for (int c = 0; c < 4; ++c) largest = std::max(largest, std::abs(static_cast<double>(f[c])));
   TextureLevel result{level.width, level.height, level.slices, {}};
   for (const Mean& mean : level.texels) {
     Colour colour;
     for (std::size_t c = 0; c < 4; ++c) {
       const int channel = static_cast<int>(c);
-      colour[c] = linear(stored(widened(mean[c], 2.5e-6 * steps), channel, format), channel, format);
+      const double margin = 2.5e-6 * steps * std::max(largest, mean[c]);
+      colour[c] = linear(stored({mean[c] - margin, mean[c] + margin}, channel, format), channel, format);
     }
     result.texels.push_back(colour);
   }
@@ -72,7 +76,7 @@ TextureLevel rounded(const Unrounded& level, ColourFormat format, int steps) {
 }  // namespace
 
 void complete(Texture& texture) {
-  const ColourFormat format = texture.is_srgb ? ColourFormat::srgb8 : ColourFormat::rgba8;
+  const ColourFormat format = !texture.floats.empty() ? ColourFormat::rgba32f : texture.is_srgb ? ColourFormat::srgb8 : ColourFormat::rgba8;
   TextureLevel first{texture.width, texture.height, texture.slices, {}};
   Unrounded level{texture.width, texture.height, texture.slices, {}};
   for (const auto& codes : texture.texels) {
@@ -85,8 +89,11 @@ void complete(Texture& texture) {
     first.texels.push_back(colour);
     level.texels.push_back(mean);
   }
-  for (const glm::vec4& f : texture.floats)
-    first.texels.push_back({static_cast<double>(f.r), static_cast<double>(f.g), static_cast<double>(f.b), static_cast<double>(f.a)});
+  for (const glm::vec4& f : texture.floats) {
+    const Mean texel{static_cast<double>(f.r), static_cast<double>(f.g), static_cast<double>(f.b), static_cast<double>(f.a)};
+    first.texels.push_back({texel[0], texel[1], texel[2], texel[3]});
+    level.texels.push_back(texel);
+  }
   for (const float depth : texture.depths) {
     const Interval d = static_cast<double>(depth);
     first.texels.push_back({d, d, d, 1.0});
@@ -96,7 +103,7 @@ void complete(Texture& texture) {
   const bool is_box = texture.kind == TextureKind::three_dimensional;
   while (level.width > 1 || level.height > 1 || (is_box && level.slices > 1)) {
     level = halved(level, is_box);
-    texture.levels.push_back(rounded(level, format, static_cast<int>(texture.levels.size())));
+    texture.levels.push_back(rounded(level, texture, format, static_cast<int>(texture.levels.size())));
   }
 }
 

@@ -21,7 +21,7 @@ std::shared_ptr<const oracle::Texture> random_texture(Dice& dice, oracle::Textur
   texture.is_depth = kind == oracle::TextureKind::two_dimensional && dice.one_in(4);
   const bool is_float = !texture.is_depth && kind == oracle::TextureKind::two_dimensional && dice.one_in(5);
   texture.is_srgb = !texture.is_depth && !is_float && dice.one_in(2);
-  texture.has_mipmaps = !texture.is_depth && !is_float && dice.one_in(2);
+  texture.has_mipmaps = !texture.is_depth && dice.one_in(2);
   for (int i = 0; i < texture.width * texture.height * texture.slices; ++i) {
     const auto code = [&] { return static_cast<std::uint8_t>(dice.below(256)); };
     if (is_float) texture.floats.push_back({dice.between(-1, 2), dice.between(0, 3), dice.between(0, 1), dice.between(0, 1)});

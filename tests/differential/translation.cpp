@@ -53,7 +53,7 @@ Texture made_texture(const oracle::Texture& from) {
   if (!from.floats.empty()) {
     Image<Rgba32F> floats(from.width, from.height);
     std::transform(from.floats.begin(), from.floats.end(), floats.pixels().begin(), rgba);
-    return *Texture::create(floats, false);
+    return *Texture::create(floats, from.has_mipmaps);
   }
   std::vector<Image<Rgba8>> slices;
   for (int slice = 0; slice < from.slices; ++slice) slices.push_back(codes_of(from, slice));
