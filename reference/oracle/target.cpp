@@ -46,6 +46,21 @@ void Target::clear(const glm::vec4& colour, float depth, std::uint8_t stencil) {
   contents.assign(contents.size(), cleared);
 }
 
+void Target::clear(const Clear& part) {
+  const Rectangle rectangle = part.scissor.value_or(Rectangle{0, 0, width, height});
+  for (int y = std::max(0, rectangle.top); y < std::min(height, rectangle.bottom); ++y)
+    for (int x = std::max(0, rectangle.left); x < std::min(width, rectangle.right); ++x)
+      for (int s = 0; s < samples; ++s) {
+        Sample& sample = at(x, y, s);
+        for (int i = 0; i < 4; ++i)
+          if (part.colour && part.mask[static_cast<std::size_t>(i)])
+            sample.colour[static_cast<std::size_t>(i)] = stored(static_cast<double>((*part.colour)[i]), i, colour_format);
+        if (part.depth) sample.depth = depth_code(*part.depth, depth_format);
+        const int bits = part.stencil_write_mask;
+        if (part.stencil) sample.stencil = static_cast<std::uint8_t>((sample.stencil & ~bits) | (*part.stencil & bits));
+      }
+}
+
 Sample Target::resolved(int x, int y) {
   Sample pixel = at(x, y, 0);
   if (samples == 1) return pixel;

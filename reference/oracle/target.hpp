@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <glm/vec4.hpp>
+#include <optional>
 #include <vector>
 
 #include "reference/oracle/state.hpp"
@@ -19,6 +20,16 @@ struct Sample {
   bool is_uncertain = false;  // whether a fragment was drawn here hung on a tie: anything may be stored
 };
 
+/// A clear of part of a target: what is absent stays, and so do masked channels and bits.
+struct Clear {
+  std::optional<glm::vec4> colour;
+  std::optional<float> depth;
+  std::optional<std::uint8_t> stencil;
+  std::optional<Rectangle> scissor;
+  std::array<bool, 4> mask{true, true, true, true};
+  std::uint8_t stencil_write_mask = 0xff;
+};
+
 struct Target {
   Target(int target_width, int target_height, int samples_per_pixel, ColourFormat colour, DepthFormat depth);
 
@@ -32,6 +43,7 @@ struct Target {
                         static_cast<std::size_t>(samples) + static_cast<std::size_t>(sample)];
   }
   void clear(const glm::vec4& colour, float depth, std::uint8_t stencil);
+  void clear(const Clear&);
   /// One pixel of the image that a multisampled target resolves to; depth and stencil of sample 0.
   Sample resolved(int x, int y);
 };

@@ -24,6 +24,12 @@ oracle::Target oracle_target_of(const TargetDescription& t) {
   return target;
 }
 
+void clear_both(const oracle::Clear& part, RenderTarget& target, oracle::Target& oracle_target, Pipeline& pipeline) {
+  const Result<Nothing> cleared = target.clear(translated(part), pipeline.workers());
+  TUBERIA_ASSERT(cleared.ok(), "a partial clear was refused");
+  oracle_target.clear(part);
+}
+
 /// A sentence for the first disagreement only.
 template <class... Parts>
 void tell(std::string& first, const Parts&... parts) {
@@ -185,6 +191,7 @@ Tally compare(const Scene& scene, Machines& machines, std::string& first) {
     }
     const oracle::Counts counts = oracle::draw(oracle_target, draw);
     tally.fragments += counts.fragments;
+    if (i == 0 && scene.clear) clear_both(*scene.clear, target, oracle_target, pipeline);
     compare_counts(i, *drawn, counts, scene.is_counted, tally, first);
   }
   compare_targets(target, oracle_target, cleared, tally, first);

@@ -183,6 +183,22 @@ TargetDescription random_target(Dice& dice) {
   return target;
 }
 
+oracle::Clear random_clear(Dice& dice, const TargetDescription& target) {
+  oracle::Clear clear;
+  if (!dice.one_in(3)) clear.colour = {dice.between(-0.25f, 1.25f), dice.between(-0.25f, 1.25f), dice.between(0, 1), dice.between(0, 1)};
+  if (dice.one_in(2)) clear.depth = dice.between(-0.1f, 1.1f);
+  if (target.has_stencil && dice.one_in(2)) clear.stencil = static_cast<std::uint8_t>(dice.below(256));
+  const auto around = [&](int size) { return static_cast<int>(dice.below(size + 8)) - 4; };
+  if (!dice.one_in(4)) {
+    const int left = around(target.width), top = around(target.height);
+    clear.scissor = Rectangle{left, top, left + around(target.width), top + around(target.height)};
+  }
+  if (dice.one_in(2))
+    for (bool& channel : clear.mask) channel = dice.one_in(2);
+  if (dice.one_in(2)) clear.stencil_write_mask = static_cast<std::uint8_t>(dice.below(256));
+  return clear;
+}
+
 /// What the pipeline's fused loops draw: triangles in the everyday ways.
 void make_everyday(Dice& dice, Draw& draw) {
   draw.topology = static_cast<oracle::Topology>(dice.below(3));
@@ -217,6 +233,7 @@ Scene random_scene(std::uint64_t seed) {
     random_geometry(dice, draw, scene.target);
     scene.draws.push_back(std::move(draw));
   }
+  if (dice.one_in(6)) scene.clear = random_clear(dice, scene.target);
   scene.is_counted = !is_everyday && dice.one_in(2);
   scene.threads = dice.one_in(8) ? 2 : 1;
   const auto sets = supported_instruction_sets();

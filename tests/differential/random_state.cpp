@@ -112,7 +112,8 @@ void random_blending(Dice& dice, Draw& draw, const TargetDescription& target) {
     function->destination = any<oracle::BlendFactor>(dice, 15);
     function->equation = any<oracle::BlendEquation>(dice, 5);
   }
-  for (int i = 0; i < 4; ++i) draw.blend.constant[i] = dice.between(0, 1);
+  const bool unclamped = dice.one_in(4);
+  for (int i = 0; i < 4; ++i) draw.blend.constant[i] = unclamped ? dice.between(-1, 2) : dice.between(0, 1);
   if (target.colour == oracle::ColourFormat::rgba8 && dice.one_in(6)) draw.blend.logic = any<oracle::LogicOperation>(dice, 17);
   if (dice.one_in(6))
     for (bool& channel : draw.blend.mask) channel = dice.one_in(2);

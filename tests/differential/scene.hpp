@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "pipeline/pipeline.hpp"
@@ -24,6 +25,7 @@ struct Scene {
   std::uint64_t seed = 0;
   TargetDescription target;
   std::vector<oracle::Draw> draws;
+  std::optional<oracle::Clear> clear;  // after the first draw
   std::vector<std::shared_ptr<const oracle::Texture>> textures;  // which the draws point to
   bool is_counted = true;  // uncounted draws may take the fused loops
   int threads = 1;

@@ -211,6 +211,15 @@ void describe_vertices(std::ostream& out, const oracle::Draw& d) {
   out << "\n";
 }
 
+void describe(std::ostream& out, const oracle::Clear& clear) {
+  out << "after the first draw a clear: mask " << clear.mask[0] << clear.mask[1] << clear.mask[2] << clear.mask[3];
+  if (clear.colour) out << " colour " << clear.colour->r << " " << clear.colour->g << " " << clear.colour->b << " " << clear.colour->a;
+  if (clear.depth) out << " depth " << *clear.depth;
+  if (clear.stencil) out << " stencil " << int{*clear.stencil} << " mask " << int{clear.stencil_write_mask};
+  if (clear.scissor) out << " scissor " << clear.scissor->left << " " << clear.scissor->top << " " << clear.scissor->right << " " << clear.scissor->bottom;
+  out << "\n";
+}
+
 void describe(std::ostream& out, const oracle::Draw& draw) {
   describe_geometry(out, draw);
   describe_lighting(out, "lighting", draw.vertex_lighting);
@@ -223,6 +232,7 @@ void describe(std::ostream& out, const oracle::Draw& draw) {
 }  // namespace
 
 Scene shrunk(Scene scene, Machines& machines) {
+  keep_if_wrong(scene, machines, [](Scene& s) { s.clear.reset(); });
   for (std::size_t i = scene.draws.size(); i-- > 0 && scene.draws.size() > 1;)
     keep_if_wrong(scene, machines, [&](Scene& s) { s.draws.erase(s.draws.begin() + static_cast<std::ptrdiff_t>(i)); });
   for (std::size_t i = 0; i < scene.draws.size(); ++i) {
@@ -246,6 +256,7 @@ std::string described(const Scene& scene) {
       << ", depth format " << static_cast<int>(t.depth) << ", stencil " << t.has_stencil << "; cleared to " << t.clear_colour.r << " "
       << t.clear_colour.g << " " << t.clear_colour.b << " " << t.clear_colour.a << ", depth " << t.clear_depth << ", stencil "
       << int{t.clear_stencil} << "; " << (scene.is_counted ? "counted, " : "uncounted, ") << scene.threads << " threads, " << name_of(scene.instruction_set) << "\n";
+  if (scene.clear) describe(out, *scene.clear);
   for (const oracle::Draw& draw : scene.draws) describe(out, draw);
   return out.str();
 }

@@ -188,6 +188,14 @@ MeshArrays arrays_of(const oracle::Draw& draw) {
   return arrays;
 }
 
+ClearCommand translated(const oracle::Clear& clear) {
+  ClearCommand command{.depth = clear.depth, .stencil = clear.stencil,
+                       .colour_mask = {clear.mask[0], clear.mask[1], clear.mask[2], clear.mask[3]}, .stencil_write_mask = clear.stencil_write_mask};
+  if (clear.colour) command.colour = rgba(*clear.colour);
+  if (clear.scissor) command.scissor = PixelRect{clear.scissor->left, clear.scissor->top, clear.scissor->right, clear.scissor->bottom};
+  return command;
+}
+
 DrawCall translated(const oracle::Draw& draw, const MeshArrays& arrays) {
   DrawCall call;
   call.mesh = {.positions = arrays.positions, .clip_positions = arrays.clip_positions, .screen_positions = arrays.screen_positions,

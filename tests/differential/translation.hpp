@@ -22,5 +22,6 @@ struct MeshArrays {
 
 MeshArrays arrays_of(const oracle::Draw&);
 DrawCall translated(const oracle::Draw&, const MeshArrays&);
+ClearCommand translated(const oracle::Clear&);
 
 }  // namespace tuberia::differential
