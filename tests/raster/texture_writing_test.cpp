@@ -140,6 +140,22 @@ TEST_CASE("texture writing: a target's pixels become texels", "[raster]") {
   CHECK(depths.depth_level_image(0) == target.depth_image());
 }
 
+TEST_CASE("texture writing: a target's pixels fill the slice or face that is named, and no other", "[raster]") {
+  Workers workers(1);
+  RenderTarget target = *RenderTarget::create(8, 8, ColourFormat::srgb8);
+  target.clear_colour({0.2f, 0.4f, 0.6f, 0.8f}, workers);
+  target.clear_depth(0.25f, workers);
+  Texture codes = *Texture::create_empty({.kind = TextureKind::cube, .encoding = TextureEncoding::srgb, .width = 8, .height = 8});
+  REQUIRE(copy_to_texture(target, codes, 0, 3).ok());
+  Texture depths = *Texture::create_empty({.kind = TextureKind::cube, .format = TextureFormat::depth32f, .width = 8, .height = 8});
+  REQUIRE(copy_depth_to_texture(target, depths, 0, 2).ok());
+  for (int face = 0; face < 6; ++face) {
+    INFO("face " << face);
+    CHECK((codes.level_image(0, face) == target.colour_image()) == (face == 3));
+    CHECK((depths.depth_level_image(0, face) == target.depth_image()) == (face == 2));
+  }
+}
+
 TEST_CASE("texture writing: depths are compared first and filtered then", "[raster]") {
   const std::array<float, 4> texels{0.25f, 0.5f, 0.75f, 0.5f};
   Image<float> image(2, 2);
