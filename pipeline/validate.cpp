@@ -4,6 +4,7 @@
 
 #include "pipeline/polygon_modes.hpp"
 #include "pipeline/texture_coordinates.hpp"
+#include "pipeline/validate_enumerations.hpp"
 #include "pipeline/validate_geometry.hpp"
 #include "pipeline/validate_mesh.hpp"
 #include "pipeline/validate_output.hpp"
@@ -14,6 +15,7 @@ Result<AcceptedDraw> validate(const DrawCall& draw, const RenderTarget& target, 
   const PipelineState& state = draw.state;
   const Viewport viewport = state.viewport.viewport.value_or(Viewport{0, 0, target.width(), target.height()});
   const DepthRange& range = state.viewport.depth_range;
+  if (auto refusal = check_enumerations(state)) return *std::move(refusal);
   if (auto refusal = check_mesh(draw.mesh, workers)) return *std::move(refusal);
   if (auto refusal = check_program(draw)) return *std::move(refusal);
   if (auto refusal = check_texture_coordinates(draw.mesh, state.transform, draw.program.interface().attributes())) return *std::move(refusal);

@@ -98,6 +98,9 @@ Result<RenderTarget> RenderTarget::create(const RenderTargetDescription& descrip
   if (width < 1 || height < 1 || width > kMaxSize || height > kMaxSize)
     return Error{"a render target of " + std::to_string(width) + "x" + std::to_string(height) +
                  " pixels is out of range: 1 to " + std::to_string(kMaxSize) + " each way"};
+  if (colour > ColourFormat::rgba16f || depth > DepthFormat::d32f)
+    return Error{"a render target of colour format " + std::to_string(static_cast<int>(colour)) + " and depth format " +
+                 std::to_string(static_cast<int>(depth)) + " is not possible: there are 0 to 3 and 0 to 2"};
   if (!is_sample_count(samples))
     return Error{"a render target of " + std::to_string(samples) + " samples a pixel is not possible: 1, 2, 4, 8 or 16 are"};
   RenderTarget target;

@@ -49,6 +49,9 @@ std::string size_of(const TextureShape& s) {
 
 /// Why there is no texture of this shape.
 std::optional<Error> refusal_of(const TextureShape& s) {
+  if (s.kind > TextureKind::cube || s.format > TextureFormat::depth32f || s.encoding > TextureEncoding::srgb)
+    return Error{"there are no textures of kind " + std::to_string(static_cast<int>(s.kind)) + ", format " +
+                 std::to_string(static_cast<int>(s.format)) + " and encoding " + std::to_string(static_cast<int>(s.encoding))};
   const bool is_box = s.kind == TextureKind::three_dimensional, is_cube = s.kind == TextureKind::cube;
   const int most = is_box ? Texture::kMaxVolumeSize : is_cube ? Texture::kMaxCubeSize : Texture::kMaxSize;
   const auto within = [&](int size) { return size >= 1 && size <= most; };

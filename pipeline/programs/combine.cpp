@@ -15,6 +15,12 @@ constexpr Combine kProduct{.function = CombineFunction::modulate, .argument = {k
 
 bool in_unit(float x) { return x >= 0 && x <= 1; }
 
+bool is_known(const Combine& combine) {
+  for (const CombineArgument& argument : combine.argument)
+    if (argument.source > CombineSource::previous || argument.operand > CombineOperand::one_minus_alpha) return false;
+  return combine.function <= CombineFunction::dot3_rgba;
+}
+
 bool is_scale(int scale) { return scale == 1 || scale == 2 || scale == 4; }
 
 /// The text that the caller of a refusal copies at once.
@@ -51,6 +57,8 @@ const char* refusal_of(const FixedFunctionUniforms& uniforms) {
   for (int number = 0; number < kTextureUnits; ++number) {
     const TextureUnit& unit = uniforms.units[static_cast<std::size_t>(number)];
     if (!unit.texture) continue;
+    if (!is_known(unit.colour) || !is_known(unit.alpha))
+      return sentence("unit %d: a function, source or operand is none of its enumeration", number);
     if (!is_scale(unit.colour.scale)) return sentence("unit %d: the colour's scale is %d, but can be 1, 2 or 4", number, unit.colour.scale);
     if (!is_scale(unit.alpha.scale)) return sentence("unit %d: the alpha's scale is %d, but can be 1, 2 or 4", number, unit.alpha.scale);
     if (unit.alpha.function >= CombineFunction::dot3_rgb) return sentence("unit %d: dot3 is no function of alpha", number);

@@ -282,6 +282,8 @@ TEST_CASE("fixed function: what cannot be combined is refused by name", "[pipeli
   const auto names = [](const char* words) { return Catch::Matchers::Contains(words); };
   CHECK(refusal([](TextureUnit&) {}).empty());
   CHECK_THAT(refusal([](TextureUnit& u) { u.colour.scale = 3; }), names("unit 2: the colour's scale is 3"));
+  CHECK_THAT(refusal([](TextureUnit& u) { u.alpha.function = static_cast<CombineFunction>(8); }), names("none of its enumeration"));
+  CHECK_THAT(refusal([](TextureUnit& u) { u.colour.argument[2].source = static_cast<CombineSource>(4); }), names("none of its enumeration"));
   CHECK_THAT(refusal([](TextureUnit& u) { u.alpha.scale = 0; }), names("unit 2: the alpha's scale is 0"));
   CHECK_THAT(refusal([](TextureUnit& u) { u.alpha.function = CombineFunction::dot3_rgb; }), names("dot3"));
   CHECK_THAT(refusal([](TextureUnit& u) { u.constant.g = std::numeric_limits<float>::quiet_NaN(); }), names("constant"));

@@ -111,6 +111,27 @@ TEST_CASE("validate: matrices and planes are finite", "[pipeline]") {
   CHECK(plane(2) == "(accepted)");
 }
 
+TEST_CASE("validate: values that their enumerations do not have are refused by name", "[pipeline]") {
+  const auto check = [](const char* words, auto&& change) {
+    CHECK_THAT(refused_state(change), Contains(words));
+  };
+  check("topology is 7;", [](PipelineState& s) { s.assembly.topology = static_cast<Topology>(7); });
+  check("volume is -1;", [](PipelineState& s) { s.clipping.volume = static_cast<ClipVolume>(-1); });
+  check("front_face is 2;", [](PipelineState& s) { s.culling.front_face = static_cast<Winding>(2); });
+  check("cull is 3;", [](PipelineState& s) { s.culling.cull = static_cast<CullFace>(3); });
+  check("front_mode is 3;", [](PipelineState& s) { s.rasterization.front_mode = static_cast<PolygonMode>(3); });
+  check("back_mode is 255;", [](PipelineState& s) { s.rasterization.back_mode = static_cast<PolygonMode>(255); });
+  check("fog.mode is 4;", [](PipelineState& s) { s.fog.mode = static_cast<FogMode>(4); });
+  check("alpha_test.test is 8;", [](PipelineState& s) { s.alpha_test.test = static_cast<Compare>(8); });
+  check("depth.test is 8;", [](PipelineState& s) { s.depth.test = static_cast<Compare>(8); });
+  check("stencil's pass is 8;", [](PipelineState& s) { s.stencil.back.pass = static_cast<StencilOperation>(8); });
+  check("blend.mode is 4;", [](PipelineState& s) { s.blend.mode = static_cast<BlendMode>(4); });
+  check("blend's source is 15;", [](PipelineState& s) { s.blend.alpha.source = static_cast<BlendFactor>(15); });
+  check("blend's equation is 5;", [](PipelineState& s) { s.blend.colour.equation = static_cast<BlendEquation>(5); });
+  check("blend.logic is 17;", [](PipelineState& s) { s.blend.logic = static_cast<LogicOperation>(17); });
+  check("source is 6;", [](PipelineState& s) { s.transform.texture_units[3].source[2] = static_cast<TexCoordSource>(6); });
+}
+
 TEST_CASE("validate: sizes, widths, patterns and offsets stay in their ranges", "[pipeline]") {
   const auto point = [](float size) { return refused_state([&](PipelineState& s) { s.rasterization.point.size_pixels = size; }); };
   const auto line = [](float width) { return refused_state([&](PipelineState& s) { s.rasterization.line.width_pixels = width; }); };

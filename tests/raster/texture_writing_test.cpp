@@ -180,6 +180,14 @@ TEST_CASE("texture writing: depths are compared first and filtered then", "[rast
   CHECK(sample_texture(depths, bordered, {.at = {-1, 0.5f, 0}, .reference = 0.9f}).r == 1);
 }
 
+TEST_CASE("texture writing: there are no textures or targets of unheard-of formats", "[raster]") {
+  CHECK_FALSE(Texture::create_empty({.kind = static_cast<TextureKind>(4), .width = 4, .height = 4}).ok());
+  CHECK_FALSE(Texture::create_empty({.format = static_cast<TextureFormat>(3), .width = 4, .height = 4}).ok());
+  CHECK_FALSE(Texture::create_empty({.encoding = static_cast<TextureEncoding>(2), .width = 4, .height = 4}).ok());
+  CHECK_FALSE(RenderTarget::create(8, 8, static_cast<ColourFormat>(4)).ok());
+  CHECK_FALSE(RenderTarget::create(8, 8, ColourFormat::rgba8, static_cast<DepthFormat>(3)).ok());
+}
+
 TEST_CASE("texture writing: senseless samplers are named", "[raster]") {
   CHECK(refusal_of(Sampler{}) == nullptr);
   CHECK(refusal_of(Sampler{.max_anisotropy = 16}) == nullptr);
@@ -187,6 +195,8 @@ TEST_CASE("texture writing: senseless samplers are named", "[raster]") {
   for (const float odd : {0.0f, 17.0f, nan}) CHECK(std::string(refusal_of(Sampler{.max_anisotropy = odd})).find("max_anisotropy") != std::string::npos);
   CHECK(refusal_of(Sampler{.lod_bias = nan}) == std::string("the sampler's lod_bias is nan; it must be finite"));
   CHECK(refusal_of(Sampler{.min_lod = 3, .max_lod = 2}) != nullptr);
+  CHECK(refusal_of(Sampler{.wrap_v = static_cast<Wrap>(4)}) != nullptr);
+  CHECK(refusal_of(Sampler{.compare = static_cast<Compare>(8)}) != nullptr);
   CHECK(refusal_of(Sampler{.border = {nan, 0, 0, 0}}) != nullptr);
 }
 
