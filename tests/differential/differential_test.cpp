@@ -53,6 +53,9 @@ Scene scene_of_many(std::uint64_t seed, oracle::Topology topology, int threads) 
     v.colour = {dice.between(0, 1), dice.between(0, 1), dice.between(0, 1), dice.between(0, 0.5f)};
     draw.vertices.push_back(v);
   }
+  // In front of everything, so that nothing hides the line that closes a loop.
+  draw.vertices.front().position = {-0.9f, -0.8f, -1, 1};
+  draw.vertices.back().position = {0.9f, 0.7f, -1, 1};
   scene.draws.push_back(draw);
   return scene;
 }
