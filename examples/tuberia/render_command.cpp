@@ -46,6 +46,9 @@ int run_view(const RenderArguments& arguments, const Model& model, const RenderO
 }
 
 int run_render(const RenderArguments& arguments) {
+  const bool is_map = arguments.view != "colour";
+  if (is_map && !arguments.depth_output.empty()) return fail("--view " + arguments.view + " draws a map; --depth goes with the model's colours");
+  if (is_map && arguments.statistics) return fail("--view " + arguments.view + " draws a map; --stats goes with the model's colours");
   const auto options = render_options_of(arguments.picture);
   if (!options) return fail(options.error().message);
   const auto pipeline_options = options_of(arguments.pipeline);
@@ -55,7 +58,7 @@ int run_render(const RenderArguments& arguments) {
   if (!model) return fail(model.error().message);
   for (const std::string& warning : model->warnings) std::fprintf(stderr, "tuberia: warning: %s\n", warning.c_str());
   Pipeline pipeline(*pipeline_options);
-  if (arguments.view != "colour") return run_view(arguments, *model, *options, pipeline);
+  if (is_map) return run_view(arguments, *model, *options, pipeline);
   const auto rendering = render(*model, *options, pipeline);
   if (!rendering) return fail(arguments.model + ": " + rendering.error().message);
   if (const auto written = write_results(arguments, *rendering); !written) return fail(written.error().message);

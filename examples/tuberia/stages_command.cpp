@@ -137,7 +137,8 @@ Run add_stages(CLI::App& parent, CLI::App*& command) {
   command->add_option("--pixel", arguments->pixel, "X,Y: everything that happened to this pixel, in order");
   command->add_option("--fragments", arguments->fragments, "How many of the primitive's fragments to list")->check(CLI::Range(0, 100000));
   command->add_flag("--json", arguments->json, "The same numbers as JSON");
-  command->add_option("--html", arguments->page, "Write a page instead that shows all stages; it needs nothing but a browser");
+  command->add_option("--html", arguments->page, "Write a page instead that shows all stages; it needs nothing but a browser")
+      ->excludes("--json");
   add_picture_options(*command, arguments->picture);
   add_pipeline_options(*command, arguments->pipeline);
   return [arguments] { return run_stages(*arguments); };

@@ -164,4 +164,17 @@ TEST_CASE("tuberia render --view: every view is a picture with a legend", "[exam
   }
 }
 
+TEST_CASE("tuberia: what would be written by nobody is refused", "[examples]") {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "one.obj") << "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nf 1 2 3\n";
+  for (const char* words : {"render one.obj -o view.png --view depth --depth depth.pfm", "render one.obj -o view.png --view overdraw --stats",
+                            "stages --demo clipped --json --html page.html"}) {
+    const test::Outcome outcome = run_program(words, folder);
+    INFO(words << ": " << outcome.output);
+    CHECK(outcome.status == 2);
+    CHECK((says(outcome.output, "goes with the model's colours") || says(outcome.output, "excludes")));
+  }
+  CHECK(!std::filesystem::exists(folder / "view.png"));
+}
+
 }  // namespace tuberia
