@@ -36,13 +36,15 @@ class Image {
   Pixel& at(int x, int y) noexcept { return pixels_[index(x, y)]; }
   const Pixel& at(int x, int y) const noexcept { return pixels_[index(x, y)]; }
 
-  /// All pixels, row by row.
-  std::span<Pixel> pixels() noexcept { return pixels_; }
-  std::span<const Pixel> pixels() const noexcept { return pixels_; }
-  std::span<Pixel> row(int y) noexcept { return pixels().subspan(index(0, y), static_cast<std::size_t>(width_)); }
-  std::span<const Pixel> row(int y) const noexcept {
+  /// All pixels, row by row. Not of a temporary: a loop over them would outlive it.
+  std::span<Pixel> pixels() & noexcept { return pixels_; }
+  std::span<const Pixel> pixels() const& noexcept { return pixels_; }
+  void pixels() const&& = delete;
+  std::span<Pixel> row(int y) & noexcept { return pixels().subspan(index(0, y), static_cast<std::size_t>(width_)); }
+  std::span<const Pixel> row(int y) const& noexcept {
     return pixels().subspan(index(0, y), static_cast<std::size_t>(width_));
   }
+  void row(int y) const&& = delete;
 
   bool operator==(const Image&) const = default;
 

@@ -13,9 +13,10 @@ namespace tuberia::test {
 inline std::string digest_of_samples(const RenderTarget& target) {
   Sha256 sha;
   for (int s = 0; s < target.samples(); ++s) {
-    sha.add(std::as_bytes(target.sample_linear_image(s).pixels()));
-    sha.add(std::as_bytes(target.sample_depth_codes(s).pixels()));
-    sha.add(std::as_bytes(target.sample_stencil_codes(s).pixels()));
+    const auto add = [&sha](const auto& image) { sha.add(std::as_bytes(image.pixels())); };
+    add(target.sample_linear_image(s));
+    add(target.sample_depth_codes(s));
+    add(target.sample_stencil_codes(s));
   }
   return sha.hex();
 }
