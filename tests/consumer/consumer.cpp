@@ -1,5 +1,5 @@
-// A program of somebody else: it knows only the installed headers, and uses everything that
-// docs/api.md lists. It exits with 1 and says which line of the list does not hold.
+// A program of somebody else: it knows only the installed headers, and uses something of every
+// section of docs/api.md. It exits with 1 and says what does not hold.
 
 #include <array>
 #include <cmath>
@@ -17,6 +17,7 @@
 #include "pipeline/pipeline.hpp"
 #include "pipeline/pixel_recorder.hpp"
 #include "pipeline/primitive_assembly.hpp"
+#include "pipeline/primitive_recorder.hpp"
 #include "pipeline/programs/fixed_function.hpp"
 #include "pipeline/programs/programs.hpp"
 #include "pipeline/rasterization.hpp"
@@ -51,12 +52,21 @@ void clip_space_primitives(Pipeline& pipeline) {
   const auto drawn = pipeline.draw(target, draw);
   expect(drawn && drawn->samples_passed == 28 && count_red(target.colour_image()) == 28, "clip-space triangles; fragments counted");
 
-  draw.state.depth.test = Compare::less_equal;
-  draw.state.assembly.topology = Topology::line_loop;
-  expect(pipeline.draw(target, draw).operator bool(), "lines");
+  const auto red_pixels = [&](const DrawCall& call) {
+    pipeline.clear(target, {0, 0, 0, 1});
+    return pipeline.draw(target, call) ? count_red(target.colour_image()) : -1;
+  };
   draw.state.assembly.topology = Topology::points;
   draw.state.rasterization.point.size_pixels = 3;
-  expect(pipeline.draw(target, draw).operator bool(), "points");
+  expect(red_pixels(draw) == 1 + 2 + 4, "points, cut by the target's border");
+  DrawCall line = draw;
+  const std::vector<glm::vec4> across{{-1, 0.1f, 0, 1}, {1, 0.1f, 0, 1}};
+  line.mesh.clip_positions = across;
+  line.mesh.colours = line.mesh.colours.first(2);
+  line.state.assembly.topology = Topology::lines;
+  expect(red_pixels(line) == 8, "a line, a pixel in each column");
+  line.state.rasterization.line.stipple = StipplePattern{.bits = 0x5555};
+  expect(red_pixels(line) == 4, "every other one of a stippled line");
 
   const std::uint32_t wrong[3] = {0, 1, 7};
   draw.mesh.indices = wrong;
@@ -95,6 +105,8 @@ void clipper_alone() {
   expect(clip_triangle(hexagon, 0x3f, from_zero).count == 6, "clip_triangle: six corners");
   const std::vector<glm::dvec4> square{{-2, -2, 0, 1}, {2, -2, 0, 1}, {2, 2, 0, 1}, {-2, 2, 0, 1}};
   expect(clip_polygon(square, volume).size() == 4, "clip_polygon");
+  const ClippedLine line = clip_line(std::array<std::array<double, 4>, 2>{{{0, 0, 0, 1}, {4, 0, 0, 1}}}, outcode::right, volume);
+  expect(!line.is_empty && line.corner[1].position[0] == 1 && line.corner[1].weight[1] == 0.25, "clip_line, with weights");
   expect(outcode_of({-3, 0, 0, 1}, volume) == outcode::left, "outcodes");
 }
 
@@ -107,6 +119,14 @@ void textures() {
   expect(texel == constant && std::abs(texel.r - 200 / 255.0f) < 1e-7f, "a constant texture is its constant under every filter");
   const CubePoint corner = cube_point({1, 1, 1});
   expect(corner.face == 4 && corner.s == 1 && corner.t == 0, "cube faces: z before y before x");
+  expect(cube_direction(corner) == glm::vec3(1, 1, 1), "and back");
+
+  const std::array<Rgba8, 2> ends{{{0, 0, 0, 255}, {255, 255, 255, 255}}};
+  const Texture row = *Texture::create_1d(ends, TextureEncoding::linear);
+  expect(std::abs(sample_texture(row, {.mipmaps = MipmapFilter::none}, {.at = {0.5f, 0, 0}}).r - 0.5f) < 1e-6f, "rows of texels");
+  const std::vector<Image<Rgba8>> slices{Image<Rgba8>(1, 1, {0, 0, 0, 255}), Image<Rgba8>(1, 1, {255, 255, 255, 255})};
+  const Texture box = *Texture::create_3d(slices, TextureEncoding::linear);
+  expect(std::abs(sample_texture(box, {.mipmaps = MipmapFilter::none}, {.at = {0, 0, 0.5f}}).r - 0.5f) < 1e-6f, "boxes of texels");
 }
 
 void render_to_texture(Pipeline& pipeline) {
@@ -116,6 +136,12 @@ void render_to_texture(Pipeline& pipeline) {
   expect(copy_to_texture(target, cube, 0, 3).operator bool(), "render to the face of a cube");
   cube.generate_mipmaps();
   expect(sample_texture(cube, {}, {.at = {0, -1, 0}, .lod = 2.0f}).g == 1, "and its mipmaps follow");
+  Texture depths = *Texture::create_empty({.format = TextureFormat::depth32f, .width = 16, .height = 16, .with_mipmaps = false});
+  pipeline.clear(target, {0, 1, 0, 1}, 0.5f);
+  expect(copy_depth_to_texture(target, depths).operator bool(), "depths become a texture");
+  const Sampler shadow{.mipmaps = MipmapFilter::none, .compare = Compare::less};
+  expect(sample_texture(depths, shadow, {.at = {0.5f, 0.5f, 0}, .reference = 0.4f}).r == 1 &&
+         sample_texture(depths, shadow, {.at = {0.5f, 0.5f, 0}, .reference = 0.6f}).r == 0, "and are compared with");
 
   TextureUnit unit{.texture = std::make_shared<const Texture>(cube), .sampler = {}, .colour = replace_environment().colour, .alpha = replace_environment().alpha};
   const std::vector<glm::vec4> down(3, glm::vec4{0, -1, 0, 1});
@@ -159,9 +185,20 @@ void stages_alone(Pipeline& pipeline) {
 
 void observers(Pipeline& pipeline) {
   RenderTarget target = *RenderTarget::create(8, 8);
-  PixelRecorder recorder(target, 1, 5);
+  struct Counter : Observer {
+    int triangles = 0, blocks = 0;
+    void after(Stage stage, const Chunk& chunk) override {
+      if (stage == Stage::clipping) triangles += chunk.triangles.count;
+    }
+    void after(Stage stage, const Chunk&, const FragmentBlock&, const Tile&) override { blocks += stage == Stage::rasterization; }
+  } counter;
+  PixelRecorder pixel(target, 1, 5);
+  PrimitiveRecorder primitive(0);
+  Observers recorder({&counter, &pixel, &primitive});
   const DrawCall draw{.mesh = {.clip_positions = kClipTriangle, .colours = kRed}, .program = gouraud(), .state = {}};
-  expect(pipeline.draw(target, draw, recorder).operator bool() && recorder.history().fragments.size() == 1, "an observer");
+  expect(pipeline.draw(target, draw, recorder).operator bool() && counter.triangles == 1 && counter.blocks == 1, "an observer");
+  expect(pixel.history().fragments.size() == 1 && pixel.history().fragments[0].reached_the_target(), "the history of a pixel");
+  expect(primitive.life().found && primitive.life().fates.covered == 28 && primitive.life().fates.reached == 28, "the life of a primitive");
   expect(count_red(target.colour_image()) == 28, "a watched draw leaves the same pixels");
 }
 
