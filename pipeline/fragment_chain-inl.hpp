@@ -12,7 +12,7 @@
 #include "pipeline/fragment-inl.hpp"
 #include "pipeline/fragment_program.hpp"
 #include "raster/simd/blend-inl.hpp"
-#include "raster/simd/depth-inl.hpp"
+#include "raster/simd/hidden_surfaces-inl.hpp"
 #include "raster/simd/interpolation-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -22,8 +22,8 @@ namespace HWY_NAMESPACE {
 template <class Program, class F>
 class FragmentChain {
  public:
-  HWY_INLINE FragmentChain(const FragmentJob& job, const Tile& tile, const ChunkView& chunk)
-      : job_(job), output_(job.output), tile_(tile), chunk_(chunk),
+  HWY_INLINE FragmentChain(const FragmentJob& job, const Tile& tile, TileVisibility& visibility, const ChunkView& chunk)
+      : job_(job), output_(job.output), tile_(tile), chunk_(chunk), hidden_(job.output, job.order, tile, visibility),
         uniforms_(*static_cast<const typename Program::Uniforms*>(job.uniforms)) {}
 
   HWY_INLINE void begin(const ScreenTriangle& triangle) {
@@ -33,13 +33,37 @@ class FragmentChain {
     if constexpr (kOneColour) begin_one_colour();
   }
 
+  /// Whether all of a small triangle is seen to be hidden before its edges are placed.
+  HWY_INLINE bool hides_small(const TriangleWalk<F>& walk, const ScreenTriangle& triangle) {
+    return walk.is_small() && hidden_.is_of_use() && hidden_.hides_small(triangle, walk.part());
+  }
+
+  /// Whether all of a large one is. Otherwise decides whether its blocks are worth asking.
+  HWY_INLINE bool hides_large(const TriangleWalk<F>& walk) {
+    asks_blocks_ = hidden_.is_of_use();
+    if (!asks_blocks_ || !walk.has_much_of_tile()) return false;
+    float lowest, highest;
+    walk.depth_bounds(0, 0, kTileSize - 1, lowest, highest);
+    const auto outlook = hidden_.outlook(lowest, highest);
+    asks_blocks_ = outlook == HiddenSurfaces<F>::Outlook::mixed;
+    return outlook == HiddenSurfaces<F>::Outlook::hidden;
+  }
+
+  /// Whether a block of the tile hides the triangle there.
+  HWY_INLINE bool hides(const TriangleWalk<F>& walk, int x, int y) {
+    if (!asks_blocks_) return false;
+    float lowest, highest;
+    walk.depth_bounds(x, y, kBlockSize - 1, lowest, highest);
+    return hidden_.hides(y / kBlockSize * kBlocksPerTileRow + x / kBlockSize, lowest, highest);
+  }
+
   /// One register of covered fragments through the rest of the pipeline.
   HWY_INLINE void operator()(const FragmentGroup<F>& group) {
     Mask live = group.covered;
 
     // 8 early: unless the program may discard, a fragment that will be hidden need not be shaded.
     if constexpr (!Program::may_discard) {
-      live = test_depth(live, group);
+      live = hidden_.test(live, interpolated_depth(*triangle_, group.weight), group.index);
       if (none(live) || !shades()) return;
     }
 
@@ -55,7 +79,7 @@ class FragmentChain {
     // 8 DepthTest, late.
     if constexpr (Program::may_discard) {
       if (none(live)) return;
-      live = test_depth(live, group);
+      live = hidden_.test(live, interpolated_depth(*triangle_, group.weight), group.index);
       if (none(live) || !output_.blend.write) return;
     }
 
@@ -82,12 +106,6 @@ class FragmentChain {
 
   HWY_INLINE bool shades() const { return Program::may_discard || output_.blend.write; }
 
-  HWY_INLINE Mask test_depth(Mask live, const FragmentGroup<F>& group) const {
-    if (output_.depth == kDepthOff) return live;
-    const Int code = depth_code(interpolated_depth(*triangle_, group.weight), output_);
-    return depth_test(live, code, output_, tile_.depth + group.index);
-  }
-
   HWY_INLINE void begin_one_colour() {
     has_one_pixel_ = output_.blend.mode == BlendMode::replace && output_.colour_format != ColourFormat::rgba32f;
     if (!has_one_pixel_) return;
@@ -99,9 +117,11 @@ class FragmentChain {
   const OutputState& output_;
   const Tile& tile_;
   const ChunkView& chunk_;
+  HiddenSurfaces<F> hidden_;
   const typename Program::Uniforms& uniforms_;
   const ScreenTriangle* triangle_ = nullptr;
   TriangleAttributes<Program> attributes_;
+  bool asks_blocks_ = false;
   bool has_one_pixel_ = false;
   Int one_pixel_;
 };
@@ -124,16 +144,23 @@ HWY_INLINE void prefetch(const Tile& tile) {
 }
 
 template <class Program, Precision P>
-void draw_tile(const FragmentJob& job, const Tile& tile, const ChunkView& chunk, std::span<const std::uint16_t> triangles) {
+void draw_tile(const FragmentJob& job, const Tile& tile, TileVisibility& visibility, const ChunkView& chunk,
+               std::span<const std::uint16_t> triangles) {
   using F = Float<P>;
-  FragmentChain<Program, F> chain(job, tile, chunk);
+  FragmentChain<Program, F> chain(job, tile, visibility, chunk);
   TriangleWalk<F> walk;
   constexpr std::size_t kManyTriangles = 32;
   if (triangles.size() >= kManyTriangles) prefetch(tile);
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
-    const ScreenTriangle& triangle = chunk.triangles[triangles[i]];
-    if (i + 2 < triangles.size()) prefetch(chunk.triangles[triangles[i + 2]]);
-    if (!walk.begin(triangle, tile, job.output.clip)) continue;
+  const std::size_t count = triangles.size();
+  const bool is_reversed = job.order == DrawOrder::last_first;
+  const auto listed = [&](std::size_t i) HWY_ATTR -> const ScreenTriangle& {
+    return chunk.triangles[triangles[is_reversed ? count - 1 - i : i]];
+  };
+  for (std::size_t i = 0; i < count; ++i) {
+    const ScreenTriangle& triangle = listed(i);
+    if (i + 2 < count) prefetch(listed(i + 2));
+    if (!walk.begin(triangle, tile, job.output.clip) || chain.hides_small(walk, triangle)) continue;
+    if (!walk.place(tile) || chain.hides_large(walk)) continue;
     chain.begin(triangle);
     walk.for_each_group(chain);
   }
@@ -143,9 +170,10 @@ template <class Program, Precision P>
 void shade_block(const FragmentJob& job, const ChunkView& chunk, FragmentBlock& block) {
   using F = Float<P>;
   const Tile no_tile;
+  TileVisibility nothing_known;
   FragmentJob shading = job;
   shading.output.blend.write = true;
-  FragmentChain<Program, F> chain(shading, no_tile, chunk);
+  FragmentChain<Program, F> chain(shading, no_tile, nothing_known, chunk);
   chain.begin(*block.triangle);
   std::uint64_t kept = 0;
   for (int first = 0; first < kBlockPixels; first += kLanes) {

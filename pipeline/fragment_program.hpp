@@ -11,6 +11,7 @@
 #include "raster/fragment_block.hpp"
 #include "raster/instruction_set.hpp"
 #include "raster/tile.hpp"
+#include "raster/tile_visibility.hpp"
 
 namespace tuberia {
 
@@ -19,13 +20,14 @@ struct FragmentJob {
   OutputState output;
   const void* uniforms = nullptr;
   bool flat_shading = false;
+  DrawOrder order = DrawOrder::as_submitted;  // last_first: only if is_order_free(output)
 };
 
 /// One program compiled for one instruction set and precision.
 struct ProgramKernels {
-  /// Draws the listed triangles of a chunk into a tile, in order: coverage, interpolation, depth,
-  /// program and blending fused into one loop.
-  void (*draw_tile)(const FragmentJob&, const Tile&, const ChunkView&, std::span<const std::uint16_t> triangles);
+  /// Draws the listed triangles of a chunk into a tile, in the job's order: coverage, interpolation,
+  /// depth, program and blending fused into one loop. What is hidden is left out.
+  void (*draw_tile)(const FragmentJob&, const Tile&, TileVisibility&, const ChunkView&, std::span<const std::uint16_t> triangles);
   /// Only the program: colours of the live fragments; clears the live bits of discarded ones.
   void (*shade)(const FragmentJob&, const ChunkView&, FragmentBlock&);
 };

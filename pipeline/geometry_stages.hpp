@@ -44,6 +44,11 @@ class GeometryStages {
     tap.after(Stage::binning, chunk);
   }
 
+  /// How many primitives the draw has.
+  std::int64_t primitives() const noexcept {
+    return primitive_count(draw_.state.assembly.topology, static_cast<std::int64_t>(draw_.mesh.element_count()));
+  }
+
   /// How many primitives a chunk of this draw may hold.
   std::int64_t primitives_per_chunk() const noexcept {
     return draw_.state.transform.two_sided_colours ? kTwoSidedPrimitivesPerChunk : kPrimitivesPerChunk;

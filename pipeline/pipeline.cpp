@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "pipeline/draw_order.hpp"
 #include "pipeline/fragment_stages.hpp"
 #include "pipeline/geometry_stages.hpp"
 #include "pipeline/observer.hpp"
@@ -42,21 +43,24 @@ template <class Tap>
 DrawStatistics Pipeline::run(RenderTarget& target, const DrawCall& draw_call, const AcceptedDraw& accepted, Workers& workers, const Tap& tap) {
   const auto [isa, precision] = std::pair{options_.instruction_set, options_.precision};
   const GeometryStages geometry_stages(draw_call, accepted, isa, precision);
-  const FragmentJob job{accepted.output, draw_call.program.uniforms(), draw_call.state.rasterization.flat_shading};
   const ProgramKernels& program = draw_call.program.interface().kernels(isa, precision);
-  const FragmentStages fragment_stages(job, draw_call.program.interface(), isa, precision);
   const bool fused = !Tap::kWatches && !draw_call.count_fragments && accepted.is_everyday;
+  const FragmentJob job{accepted.output, draw_call.program.uniforms(), draw_call.state.rasterization.flat_shading,
+                        fused ? choose_draw_order(draw_call, accepted) : DrawOrder::as_submitted};
+  const FragmentStages fragment_stages(job, draw_call.program.interface(), isa, precision);
   std::vector<FragmentCounters> counters(fused ? 0 : static_cast<std::size_t>(target.tile_count()));
 
+  visibility_.begin_draw(target.tile_count());
   blocks_.resize(static_cast<std::size_t>(workers_.thread_count()));
   DrawStatistics statistics;
-  const std::int64_t primitives =
-      primitive_count(draw_call.state.assembly.topology, static_cast<std::int64_t>(draw_call.mesh.element_count()));
+  const std::int64_t primitives = geometry_stages.primitives();
   const std::int64_t per_chunk = geometry_stages.primitives_per_chunk();
+  const std::int64_t per_batch = kChunksInFlight * per_chunk, batches = (primitives + per_batch - 1) / per_batch;
   std::uint32_t stipple_start = 0;
-  for (std::int64_t first = 0; first < primitives; first += kChunksInFlight * per_chunk) {
+  for (std::int64_t batch = 0; batch < batches; ++batch) {
+    const std::int64_t first = per_batch * in_draw_order(batch, batches, job.order);
     // Stages 1 to 5, chunk by chunk; each chunk has one owner.
-    const std::int64_t in_flight = std::min(primitives - first, kChunksInFlight * per_chunk);
+    const std::int64_t in_flight = std::min(primitives - first, per_batch);
     const std::int64_t chunk_count = (in_flight + per_chunk - 1) / per_chunk;
     while (static_cast<std::int64_t>(chunks_.size()) < chunk_count) chunks_.push_back(std::make_unique<Chunk>());
     parallel_for(workers, chunk_count, [&](std::int64_t i, int) {
@@ -67,17 +71,18 @@ DrawStatistics Pipeline::run(RenderTarget& target, const DrawCall& draw_call, co
     const std::span chunks(chunks_.data(), static_cast<std::size_t>(chunk_count));
     for (const auto& chunk : chunks) stipple_start = geometry_stages.continue_stipple(*chunk, stipple_start);
 
-    // Stages 6 to 9, tile by tile; each tile has one owner, who walks the chunks in order, so that
-    // every pixel sees its primitives in the order of submission. Everyday draws have the fragment
-    // stages fused around the program, others run them one by one.
+    // Stages 6 to 9, tile by tile; each tile has one owner, who walks the chunks in order: that of
+    // submission, or where it makes no difference the other way round. Everyday draws have the
+    // fragment stages fused around the program, others run them one by one.
     parallel_for(workers, target.tile_count(), [&](std::int64_t number, int worker) {
       const Tile tile = target.tile(static_cast<int>(number));
       std::vector<FragmentBlock>& blocks = blocks_[static_cast<std::size_t>(worker)];
-      for (const auto& chunk : chunks) {
-        const auto listed = chunk->tiles.of_tile(static_cast<int>(number));
+      for (std::int64_t i = 0; i < chunk_count; ++i) {
+        const Chunk& chunk = *chunks[static_cast<std::size_t>(in_draw_order(i, chunk_count, job.order))];
+        const auto listed = chunk.tiles.of_tile(static_cast<int>(number));
         if (listed.empty()) continue;
-        if (fused) program.draw_tile(job, tile, chunk->view(), listed);
-        else fragment_stages(*chunk, listed, tile, blocks, counters[static_cast<std::size_t>(number)], tap);
+        if (fused) program.draw_tile(job, tile, visibility_.of_tile(number), chunk.view(), listed);
+        else fragment_stages(chunk, listed, tile, blocks, counters[static_cast<std::size_t>(number)], tap);
       }
     });
     for (const auto& chunk : chunks) statistics += chunk->statistics;

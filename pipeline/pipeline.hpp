@@ -46,6 +46,7 @@ class Pipeline {
   PipelineOptions options_;
   Workers workers_;
   std::vector<std::unique_ptr<Chunk>> chunks_;  // kept from draw to draw, for their memory
+  TargetVisibility visibility_;                     // what the fused loops remember of every tile
   std::vector<std::vector<FragmentBlock>> blocks_;  // the staged loops' scratch memory, one a worker
 };
 

@@ -42,6 +42,8 @@ struct BlockWriter {
   FragmentBlock* block = nullptr;
   int number = -1;  // of the block in the tile
 
+  HWY_INLINE bool hides(const TriangleWalk<F>&, int, int) const { return false; }
+
   HWY_INLINE void operator()(const FragmentGroup<F>& group) {
     const int first = group.index % kBlockPixels;
     if (group.index / kBlockPixels != number) begin(group.index / kBlockPixels);
@@ -87,7 +89,7 @@ template <Precision P>
 void rasterize(const ScreenTriangle& triangle, const Tile& tile, const PixelRect& clip, std::vector<FragmentBlock>& out) {
   if (tile.samples > 1) return rasterize_samples<P>(triangle, tile, clip, out);
   TriangleWalk<Float<P>> walk;
-  if (!walk.begin(triangle, tile, clip)) return;
+  if (!walk.begin(triangle, tile, clip) || !walk.place(tile)) return;
   BlockWriter<Float<P>> writer{triangle, tile, out};
   walk.for_each_group_of_blocks(writer);
 }

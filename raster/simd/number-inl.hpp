@@ -106,6 +106,7 @@ HWY_INLINE Int shift_right(Int a) {
 }
 HWY_INLINE Int min(Int a, Int b) { return Int(hn::Min(a.v, b.v)); }
 HWY_INLINE Int max(Int a, Int b) { return Int(hn::Max(a.v, b.v)); }
+HWY_INLINE std::int32_t largest_lane(Int a) { return hn::GetLane(hn::MaxOfLanes(IntTag{}, a.v)); }
 
 HWY_INLINE Mask operator&(Mask a, Mask b) { return {hn::And(a.m, b.m)}; }
 HWY_INLINE Mask operator|(Mask a, Mask b) { return {hn::Or(a.m, b.m)}; }

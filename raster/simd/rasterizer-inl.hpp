@@ -57,14 +57,23 @@ struct WeightPlanes {
   HWY_INLINE void weights(F dx, F dy, F* weight) const {
     for (int i = 0; i < 2; ++i) weight[i] = mul_add(dy, F(gradient_y[i]), mul_add(dx, F(gradient_x[i]), F(anchor[i])));
   }
+
+  /// The smallest (of_largest: the largest) that `weights` gives for weight i in a square of the tile.
+  /// Each rounding keeps the order, so it is found at a corner.
+  HWY_INLINE float extreme(int i, int x, int y, int span, bool of_largest) const {
+    const int dx = x + tile_x + ((gradient_x[i] > 0) == of_largest ? span : 0);
+    const int dy = y + tile_y + ((gradient_y[i] > 0) == of_largest ? span : 0);
+    return static_cast<float>(dy) * gradient_y[i] + (static_cast<float>(dx) * gradient_x[i] + anchor[i]);
+  }
 };
 
 /// Walks the pixels of one triangle in one tile, a block at a time, a group at a time.
 template <class F>
 class TriangleWalk {
  public:
-  /// False when the triangle owns nothing here. `clip` may cut into the tile.
+  /// Whether the triangle's bounds leave anything here. `clip` may cut into the tile. Then `place`.
   HWY_INLINE bool begin(const ScreenTriangle& triangle, const Tile& tile, const PixelRect& clip) {
+    triangle_ = &triangle;
     left_ = std::max<int>(std::max<int>(triangle.left, clip.left), tile.left) - tile.left;
     top_ = std::max<int>(std::max<int>(triangle.top, clip.top), tile.top) - tile.top;
     right_ = std::min<int>(std::min<int>(triangle.right, clip.right - 1), tile.left + kTileSize - 1) - tile.left;
@@ -73,6 +82,12 @@ class TriangleWalk {
     is_cut_ = triangle.left < clip.left || triangle.top < clip.top || triangle.right >= clip.right ||
               triangle.bottom >= clip.bottom;
     is_near_ = triangle.is_near != 0;
+    return true;
+  }
+
+  /// Places the edges. False when the triangle owns nothing here after all.
+  HWY_INLINE bool place(const Tile& tile) {
+    const ScreenTriangle& triangle = *triangle_;
     scale_ = F(triangle.weight_scale);
     for (int i = 0; i < 2; ++i) offset_[i] = F(triangle.weight_offset[i]);
     if (is_near_) begin_near(triangle, tile);
@@ -81,7 +96,27 @@ class TriangleWalk {
     return true;
   }
 
-  /// Calls visit(group) for every group with a covered pixel. A small triangle's bounds are walked
+  /// A near triangle of at most 16 pixels each way, here.
+  HWY_INLINE bool is_small() const { return is_near_ && right_ - left_ < kSmallPixels && bottom_ - top_ < kSmallPixels; }
+  /// Bounds that leave at least half of the tile.
+  HWY_INLINE bool has_much_of_tile() const { return (right_ - left_ + 1) * (bottom_ - top_ + 1) >= kTilePixels / 2; }
+  /// The pixels of the tile that the bounds leave; right and bottom inclusive.
+  HWY_INLINE PixelRect part() const { return {left_, top_, right_, bottom_}; }
+
+  /// Between which depths all fragments lie that are at (x, y) of the tile or up to `span` pixels to
+  /// the right and below. Every step rounds, and keeps the order.
+  HWY_INLINE void depth_bounds(int x, int y, int span, float& lowest, float& highest) const {
+    lowest = highest = triangle_->depth;
+    for (int i = 0; i < 2; ++i) {
+      const float delta = triangle_->depth_delta[i];
+      const float small = extreme_weight(i, x, y, span, false), large = extreme_weight(i, x, y, span, true);
+      lowest = (delta < 0 ? large : small) * delta + lowest;
+      highest = (delta < 0 ? small : large) * delta + highest;
+    }
+  }
+
+  /// Calls visit(group) for every group with a covered pixel, but in blocks that visit.hides(x, y).
+  /// A small triangle's bounds are walked
   /// as they are; a large one's block by block, since whole blocks are outside or inside.
   template <class Visit>
   HWY_INLINE void for_each_group(Visit& visit) const {
@@ -131,6 +166,13 @@ class TriangleWalk {
     return true;
   }
 
+  HWY_INLINE float extreme_weight(int i, int x, int y, int span, bool of_largest) const {
+    if (!is_near_) return planes_.extreme(i, x, y, span, of_largest);
+    const int per_x = per_x_[i + 1], per_y = per_y_[i + 1];
+    const int at = at_tile_[i + 1] + per_x * (x + ((per_x > 0) == of_largest ? span : 0)) + per_y * (y + ((per_y > 0) == of_largest ? span : 0));
+    return static_cast<float>(at) * triangle_->weight_scale + triangle_->weight_offset[i];
+  }
+
   /// Whether the block at (x, y) lies outside an edge, and if not, whether it lies inside all.
   HWY_INLINE bool is_outside(int x, int y, bool& inside) const {
     constexpr int kSpan = kBlockSize - 1;
@@ -148,7 +190,7 @@ class TriangleWalk {
     for (int y = top_ & ~(size - 1); y <= bottom_; y += size)
       for (int x = left_ & ~(size - 1); x <= right_; x += size) {
         bool inside = false;
-        if (!is_small && is_outside(x, y, inside)) continue;
+        if (!is_small && (is_outside(x, y, inside) || visit.hides(*this, x, y))) continue;
         const PixelRect part{std::max(x, left_), std::max(y, top_), std::min(x + size - 1, right_),
                              std::min(y + size - 1, bottom_)};
         walk(part, inside, visit);
@@ -199,6 +241,7 @@ class TriangleWalk {
   // Triangles up to this size rarely hold a whole block, so asking costs more than it saves.
   static constexpr int kSmallPixels = 16;
 
+  const ScreenTriangle* triangle_ = nullptr;
   int left_, top_, right_, bottom_;  // pixels of the tile, inclusive
   bool is_cut_, is_near_;
   std::int32_t per_x_[3], per_y_[3], at_tile_[3];
