@@ -95,8 +95,8 @@ int main() {
   std::printf("\n4 PerspectiveDivide: clip space -> ndc -> screen, snapped to 1/256 pixel\n");
   for (std::size_t i = 0; i < static_cast<std::size_t>(vertices.size()); ++i)
     if (!(vertices.clip_w[i] > 0)) std::printf("  vertex %zu  behind the eye: it has no place on the screen\n", i);
-    else std::printf("  vertex %zu  x %8d/256  y %8d/256  depth %.6f\n", i, vertices.screen_x[i], vertices.screen_y[i],
-                static_cast<double>(vertices.depth[i]));
+    else std::printf("  vertex %zu  x %8d/256  y %8d/256  depth %.6f\n", i, vertices.screen[i].x, vertices.screen[i].y,
+                static_cast<double>(vertices.screen[i].depth));
 
   Culling(draw.state.culling, accepted.clip, isa)(vertices, triangles);
   std::printf("\n5 Culling: %d triangles have an area, face the right way and hold a pixel centre\n", triangles.count);

@@ -12,9 +12,11 @@ Culling::Culling(const CullingState& state, const PixelRect& clip, InstructionSe
               .margin_pixels = samples > 1 ? 1 : 0};
 }
 
-void Culling::operator()(VertexBatch& vertices, TriangleBatch& triangles) const {
-  const int kept = clip_.empty() ? 0 : kernels_.cull(triangles.arrays(), triangles.count, vertices.screen_arrays(), options_, clip_);
-  triangles.resize(kept);
+int Culling::operator()(const VertexBatch& vertices, TriangleBatch& triangles) const {
+  CullResult result;
+  if (!clip_.empty()) result = kernels_.cull(triangles.arrays(), triangles.count, vertices.screen.data(), options_, clip_);
+  triangles.resize(result.kept);
+  return result.uncovered;
 }
 
 }  // namespace tuberia

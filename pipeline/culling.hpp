@@ -14,8 +14,10 @@ class Culling {
   /// Drops, keeping the order: faces turned the wrong way, by the sign of the exact snapped area
   /// that coverage uses, too, so that the two cannot disagree; triangles without area; triangles
   /// whose bounds hold no pixel centre (or, with several samples, are not near one). The others come out clockwise on the screen.
+  /// Of one sample a pixel, small triangles that cover no centre go, too; returns how many of them had
+  /// bounds that hold one: they count as drawn.
   ///                                                                  [C 3.9, FIX 4] [rules R4]
-  void operator()(VertexBatch& vertices, TriangleBatch& triangles) const;
+  int operator()(const VertexBatch& vertices, TriangleBatch& triangles) const;
 
  private:
   CullOptions options_;

@@ -10,15 +10,9 @@
 
 #include "pipeline/fragment_program.hpp"
 #include "pipeline/state.hpp"
+#include "raster/screen_vertex.hpp"
 
 namespace tuberia {
-
-/// A vertex of the screen, for geometry that was transformed elsewhere.
-struct ScreenVertex {
-  std::int32_t x = 0, y = 0;  // 24.8 units, within the guard band of +-2^23
-  float depth = 0;            // [0, 1]
-  float w = 1;                // clip w, > 0, for perspective-correct interpolation
-};
 
 /// A mesh by reference; the arrays must outlive the draw. Object space.
 struct MeshView {

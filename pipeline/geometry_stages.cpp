@@ -45,15 +45,16 @@ void GeometryStages::place(VertexBatch& vertices) const {
 }
 
 void GeometryStages::cull(Chunk& chunk) const {
+  int uncovered = 0;
   if (accepted_.clip.empty()) {
     chunk.triangles.clear();
     chunk.lines.clear();
     chunk.points.clear();
   } else if (makes_triangles(draw_.state.assembly.topology)) {
-    if (only_fills_) culling_(chunk.vertices, chunk.triangles);
+    if (only_fills_) uncovered = culling_(chunk.vertices, chunk.triangles);
     else polygon_modes_(chunk.vertices, chunk.polygons, chunk.triangles, chunk.lines, chunk.points);
   }
-  chunk.statistics.triangles_drawn = chunk.primitives();
+  chunk.statistics.triangles_drawn = chunk.primitives() + uncovered;
 }
 
 void GeometryStages::fill_in_attributes(Chunk& chunk) const {

@@ -17,7 +17,7 @@ enum class Stage : std::uint8_t {
   vertex_transform,    // chunk.vertices: clip space and outcodes
   primitive_assembly,  // chunk.triangles or chunk.lines or chunk.points
   clipping,            // the same, cut; chunk.vertices.clipped has the new vertices
-  perspective_divide,  // chunk.vertices: screen_x, screen_y, depth
+  perspective_divide,  // chunk.vertices: screen
   culling,             // the primitives that are left
   vertex_attributes,   // chunk.vertices.attributes, of vertices still in use
   set_up,              // chunk.screen_triangles, chunk.shapes

@@ -17,26 +17,19 @@ namespace {
 
 void make_room(VertexBatch& batch) {
   const auto padded = static_cast<std::size_t>(batch.size()) + kKernelPadding;
-  batch.screen_x.resize(padded);
-  batch.screen_y.resize(padded);
-  batch.depth.resize(padded);
+  batch.screen.resize(padded);
 }
 
 }  // namespace
 
 void PerspectiveDivide::operator()(VertexBatch& batch) const {
   make_room(batch);
-  kernels_.project(batch.clip_arrays(), batch.size(), map_, batch.screen_arrays());
+  kernels_.project(batch.clip_arrays(), batch.size(), map_, batch.screen.data());
 }
 
 void PerspectiveDivide::take(std::span<const ScreenVertex> vertices, VertexBatch& batch) {
   make_room(batch);
-  for (std::size_t slot = 0; slot < batch.source.size(); ++slot) {
-    const ScreenVertex& vertex = vertices[batch.source[slot]];
-    batch.screen_x[slot] = vertex.x;
-    batch.screen_y[slot] = vertex.y;
-    batch.depth[slot] = vertex.depth;
-  }
+  for (std::size_t slot = 0; slot < batch.source.size(); ++slot) batch.screen[slot] = vertices[batch.source[slot]];
 }
 
 }  // namespace tuberia

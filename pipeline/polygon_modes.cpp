@@ -7,7 +7,7 @@
 namespace tuberia {
 namespace {
 
-SnappedPoint place(const VertexBatch& vertices, std::uint32_t slot) { return {vertices.screen_x[slot], vertices.screen_y[slot]}; }
+SnappedPoint place(const VertexBatch& vertices, std::uint32_t slot) { return {vertices.screen[slot].x, vertices.screen[slot].y}; }
 
 /// Twice the area of triangle i of a polygon's fan.
 std::int64_t fan_area(const VertexBatch& vertices, std::span<const PolygonCorner> corners, std::size_t i) {
@@ -55,8 +55,8 @@ double PolygonModes::bias_of(const VertexBatch& vertices, std::span<const Polygo
 }
 
 bool PolygonModes::holds_a_centre(const VertexBatch& vertices, const std::uint32_t (&slot)[3]) const {
-  const auto [left, right] = std::minmax({vertices.screen_x[slot[0]], vertices.screen_x[slot[1]], vertices.screen_x[slot[2]]});
-  const auto [top, bottom] = std::minmax({vertices.screen_y[slot[0]], vertices.screen_y[slot[1]], vertices.screen_y[slot[2]]});
+  const auto [left, right] = std::minmax({vertices.screen[slot[0]].x, vertices.screen[slot[1]].x, vertices.screen[slot[2]].x});
+  const auto [top, bottom] = std::minmax({vertices.screen[slot[0]].y, vertices.screen[slot[1]].y, vertices.screen[slot[2]].y});
   const auto holds = [&](std::int32_t low, std::int32_t high, int first, int last) {
     const std::int32_t from = -((kPixelCentre + margin_units_ - low) >> kSubpixelBits);  // the first centre not below
     const std::int32_t to = (high - kPixelCentre + margin_units_) >> kSubpixelBits;

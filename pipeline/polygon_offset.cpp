@@ -29,8 +29,8 @@ double PolygonOffsetting::bias(const VertexBatch& vertices, std::uint32_t a, std
   SnappedPoint p[3];
   double z[3];
   for (int k = 0; k < 3; ++k) {
-    p[k] = {vertices.screen_x[slot[k]], vertices.screen_y[slot[k]]};
-    z[k] = static_cast<double>(vertices.depth[slot[k]]);
+    p[k] = {vertices.screen[slot[k]].x, vertices.screen[slot[k]].y};
+    z[k] = static_cast<double>(vertices.screen[slot[k]].depth);
   }
   double bias = 0;
   const auto area = static_cast<double>(twice_area(p[0], p[1], p[2]));

@@ -118,9 +118,10 @@ void PrimitiveRecorder::projected(const Chunk& chunk) {
   for (PrimitiveCorner& corner : life_.corners) {
     const auto w = static_cast<double>(corner.clip.w);
     corner.ndc = {static_cast<double>(corner.clip.x) / w, static_cast<double>(corner.clip.y) / w, static_cast<double>(corner.clip.z) / w};
-    corner.x_units = chunk.vertices.screen_x[corner.slot];
-    corner.y_units = chunk.vertices.screen_y[corner.slot];
-    corner.depth = chunk.vertices.depth[corner.slot];
+    const ScreenVertex& screen = chunk.vertices.screen[corner.slot];
+    corner.x_units = screen.x;
+    corner.y_units = screen.y;
+    corner.depth = screen.depth;
   }
   const auto place = [&](std::size_t corner) { return SnappedPoint{life_.corners[corner].x_units, life_.corners[corner].y_units}; };
   for (PrimitivePiece& piece : life_.pieces) {

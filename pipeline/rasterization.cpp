@@ -2,9 +2,9 @@
 
 namespace tuberia {
 
-void Rasterization::set_up(TriangleBatch& triangles, VertexBatch& vertices, std::vector<ScreenTriangle>& out) const {
+void Rasterization::set_up(TriangleBatch& triangles, const VertexBatch& vertices, std::vector<ScreenTriangle>& out) const {
   out.resize(static_cast<std::size_t>(triangles.count));
-  geometry_.set_up(triangles.arrays(), triangles.count, vertices.screen_arrays(), vertices.clip_w.data(), has_samples_, out.data());
+  geometry_.set_up(triangles.arrays(), triangles.count, vertices.screen.data(), has_samples_, out.data());
 }
 
 void Rasterization::choose_faces(const VertexBatch& vertices, std::span<ScreenTriangle> records) noexcept {

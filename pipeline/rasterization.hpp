@@ -17,7 +17,7 @@ class Rasterization {
       : clip_(clip), has_samples_(samples > 1), geometry_(geometry_kernels(instruction_set)), blocks_(block_kernels(instruction_set, precision)) {}
 
   /// Edge functions, depth and 1/w of each triangle, by exact arithmetic on snapped vertices.
-  void set_up(TriangleBatch& triangles, VertexBatch& vertices, std::vector<ScreenTriangle>& out) const;
+  void set_up(TriangleBatch& triangles, const VertexBatch& vertices, std::vector<ScreenTriangle>& out) const;
 
   /// Lets what is turned away find its own colours, where faces have them.
   static void choose_faces(const VertexBatch& vertices, std::span<ScreenTriangle> records) noexcept;

@@ -27,7 +27,7 @@ void set_bounds(const ScreenShape& shape, int ends, ScreenTriangle& record) {
 /// What points and lines have in common: no edges, and weights that are 0 at the first vertex.
 ScreenTriangle record_of(const VertexBatch& vertices, std::uint32_t first, std::uint32_t second, double depth_bias) {
   ScreenTriangle t{};
-  const auto z0 = static_cast<double>(vertices.depth[first]), z1 = static_cast<double>(vertices.depth[second]);
+  const auto z0 = static_cast<double>(vertices.screen[first].depth), z1 = static_cast<double>(vertices.screen[second].depth);
   const auto w0 = static_cast<double>(vertices.clip_w[first]), w1 = static_cast<double>(vertices.clip_w[second]);
   const double smallest = std::min(w0, w1);
   t.depth = static_cast<float>(z0 + depth_bias);
@@ -67,14 +67,14 @@ ShapeSetUp::ShapeSetUp(const RasterizationState& state, int samples) noexcept
 
 ScreenShape ShapeSetUp::line_shape(const VertexBatch& vertices, const AssembledLine& line) const {
   return {.kind = ScreenShape::Kind::line,
-          .x = {vertices.screen_x[line.v0], vertices.screen_x[line.v1]},
-          .y = {vertices.screen_y[line.v0], vertices.screen_y[line.v1]},
+          .x = {vertices.screen[line.v0].x, vertices.screen[line.v1].x},
+          .y = {vertices.screen[line.v0].y, vertices.screen[line.v1].y},
           .size = line_size_};
 }
 
 ScreenShape ShapeSetUp::point_shape(const VertexBatch& vertices, const AssembledPoint& point) const {
   return {.kind = ScreenShape::Kind::point, .round = round_points_,
-          .x = {vertices.screen_x[point.vertex]}, .y = {vertices.screen_y[point.vertex]}, .size = point_size_};
+          .x = {vertices.screen[point.vertex].x}, .y = {vertices.screen[point.vertex].y}, .size = point_size_};
 }
 
 void ShapeSetUp::operator()(Chunk& chunk) const {

@@ -23,8 +23,7 @@ struct VertexBatch {
   std::vector<ClippedVertex> clipped;
   AlignedVector<float> clip_x, clip_y, clip_z, clip_w;      // clip space
   AlignedVector<std::uint32_t> outcode;
-  AlignedVector<std::int32_t> screen_x, screen_y;           // 24.8 units
-  AlignedVector<float> depth;
+  AlignedVector<ScreenVertex> screen;       // after the perspective divide
   AlignedVector<float> attributes;          // `stride` floats a slot; only of vertices in use
   int stride = 0;
   AlignedVector<float> fog_coordinates;     // one a slot; empty without fog
@@ -36,7 +35,6 @@ struct VertexBatch {
   ClipArrays clip_arrays() noexcept {
     return {clip_x.data(), clip_y.data(), clip_z.data(), clip_w.data(), outcode.data()};
   }
-  ScreenArrays screen_arrays() noexcept { return {screen_x.data(), screen_y.data(), depth.data()}; }
 };
 
 /// Triangles as slots of a VertexBatch.

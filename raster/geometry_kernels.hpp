@@ -8,6 +8,7 @@
 #include "raster/block.hpp"
 #include "raster/instruction_set.hpp"
 #include "raster/screen_triangle.hpp"
+#include "raster/screen_vertex.hpp"
 
 namespace tuberia {
 
@@ -44,12 +45,6 @@ struct ScreenMap {
   double x_scale, x_offset, y_scale, y_offset, depth_scale, depth_offset;
 };
 
-/// Screen-space vertices, an array for each coordinate: 24.8 units and depth.
-struct ScreenArrays {
-  std::int32_t *x, *y;
-  float* depth;
-};
-
 /// Triangles as three arrays of vertex slots, with what else must stay with them.
 struct TriangleArrays {
   std::uint32_t *v0, *v1, *v2, *provoking, *primitive;
@@ -63,6 +58,11 @@ struct CullOptions {
   int margin_pixels = 0;                   // 1 where samples may lie beside the centres
 };
 
+struct CullResult {
+  int kept = 0;
+  int uncovered = 0;  // dropped only because they cover none of the centres within their bounds
+};
+
 struct GeometryKernels {
   /// Clip position and outcode of `count` vertices: column-major matrix * (position, 1).
   /// positions: triples of floats; source: their numbers.
@@ -71,17 +71,17 @@ struct GeometryKernels {
 
   /// Divides by w, maps to the screen and snaps to 24.8, round to nearest even; vertices with
   /// w <= 0 get the viewport's centre. In double.                                                       [rules R1]
-  void (*project)(const ClipArrays& clip, int count, const ScreenMap& map, const ScreenArrays& out);
+  void (*project)(const ClipArrays& clip, int count, const ScreenMap& map, ScreenVertex* out);
 
   /// Keeps, in place and in order, the triangles with an area whose face is wanted and whose bounds
-  /// hold a pixel centre of `clip`; their vertices then run clockwise. Returns how many.
-  int (*cull)(const TriangleArrays& triangles, int count, const ScreenArrays& vertices, const CullOptions& options,
-              const PixelRect& clip);
+  /// hold a pixel centre of `clip`, except small ones that cover none; their vertices then run clockwise.
+  CullResult (*cull)(const TriangleArrays& triangles, int count, const ScreenVertex* vertices, const CullOptions& options,
+                     const PixelRect& clip);
 
-  /// Sets up culled triangles. clip_w: w of the vertices, > 0. With several samples a pixel the
+  /// Sets up culled triangles; w of their vertices is > 0. With several samples a pixel the
   /// remainders are filled in (else 0), and the bounds reach a pixel beyond the centres they hold.
-  void (*set_up)(const TriangleArrays& triangles, int count, const ScreenArrays& vertices, const float* clip_w,
-                 bool has_samples, ScreenTriangle* out);
+  void (*set_up)(const TriangleArrays& triangles, int count, const ScreenVertex* vertices, bool has_samples,
+                 ScreenTriangle* out);
 
   /// World positions (affine, column-major 4x4) and unit normals (column-major 3x3) of vertices.
   /// out: x, y, z arrays one after the other, `count` rounded up to kKernelPadding long each.

@@ -1,6 +1,7 @@
 #pragma once
 // What triangle setup knows of a triangle, and all that the tiles need.
 
+#include <cstddef>
 #include <cstdint>
 
 namespace tuberia {
@@ -13,34 +14,40 @@ namespace tuberia {
 /// with 0 <= remainder < 256 the same for all pixels, since centres are whole pixels apart. The
 /// top-left rule has already been taken off, so a centre is covered exactly when all e >= 0.
 /// Points and lines are such records, too: see ScreenShape.
-struct ScreenTriangle {
+///
+/// Two cache lines: the first tells which centres of a small triangle are covered, and with what
+/// weights; the second what is needed once something is. Set-up writes it by these offsets.
+struct alignas(64) ScreenTriangle {
+  std::int16_t left, top, right, bottom;  // centres that may be covered, all inclusive
   std::int32_t per_x[3], per_y[3];  // |.| <= 2^24
   std::int32_t constant_low[3];     // the constants' lowest 32 bits
-  double constant[3];               // integers, |.| <= 2^42
 
   // Barycentric weight i (i = 1, 2) at a centre: weight_scale * e + weight_offset[i-1].
   float weight_scale;               // 256 / twice the area
   float weight_offset[2];
-
-  // Depth is linear in screen space: depth + w1 * depth_delta[0] + w2 * depth_delta[1].
-  float depth, depth_delta[2];
-
-  float inverse_w[3];               // smallest w / w of each vertex: 1/w up to a common factor; >= kLeastInverseW
-
-  std::int16_t left, top, right, bottom;  // centres that may be covered, all inclusive
-  std::uint16_t vertex[3];          // slots of the vertices in their chunk
-  std::uint16_t provoking_vertex;   // the slot that gives the attributes that are not interpolated
-  std::uint32_t primitive;          // number of the primitive in its draw
 
   // With 1/w equal at all vertices nothing has to be divided.
   std::uint8_t is_affine;
   // Spans of up to kNearSpanPixels keep e within 32 bits at every pixel of every touched tile, so
   // weights come straight from e; larger ones take weights from planes anchored to the pixel grid.
   std::uint8_t is_near;
-  std::uint8_t is_back;        // turned away; 0 for points and lines, and where nobody asked
-  std::uint8_t remainder[3];   // of the edge functions, see above: what multisampling starts from
+  std::uint8_t is_back;             // turned away; 0 for points and lines, and where nobody asked
+  std::uint8_t unused = 0;
+  std::uint8_t remainder[3];        // of the edge functions, see above: what multisampling starts from
+
+  // Depth is linear in screen space: depth + w1 * depth_delta[0] + w2 * depth_delta[1].
+  alignas(64) float depth;
+  float depth_delta[2];
+
+  float inverse_w[3];               // smallest w / w of each vertex: 1/w up to a common factor; >= kLeastInverseW
+  std::uint16_t vertex[3];          // slots of the vertices in their chunk
+  std::uint16_t provoking_vertex;   // the slot that gives the attributes that are not interpolated
+  std::uint32_t primitive;          // number of the primitive in its draw
+  double constant[3];               // integers, |.| <= 2^42
 };
 static_assert(sizeof(ScreenTriangle) == 128, "two cache lines");
+static_assert(offsetof(ScreenTriangle, weight_scale) == 44 && offsetof(ScreenTriangle, remainder) == 60 &&
+              offsetof(ScreenTriangle, primitive) == 96 && offsetof(ScreenTriangle, constant) == 104);
 
 /// The least relative 1/w: its reciprocal is still a float, so no quotient of weights overflows.
 inline constexpr double kLeastInverseW = 0x1p-100;

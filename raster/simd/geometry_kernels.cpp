@@ -4,7 +4,8 @@
 #define TUBERIA_KERNEL_FILE "raster/simd/geometry_kernels.cpp"
 #include "raster/simd/every_instruction_set.hpp"
 
-#include "raster/simd/triangle_kernels-inl.hpp"
+#include "raster/simd/culling-inl.hpp"
+#include "raster/simd/set_up-inl.hpp"
 #include "raster/simd/vertex_kernels-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();

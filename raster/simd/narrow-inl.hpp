@@ -18,12 +18,16 @@ template <class Narrow>
 HWY_INLINE Int load_narrow(const Narrow* from) {
   return Int(hn::PromoteTo(IntTag{}, hn::LoadU(hn::Rebind<Narrow, IntTag>{}, from)));
 }
-/// The lanes' lowest bits, where the mask says so.
+/// The lanes' lowest bits.
+template <class Narrow>
+HWY_INLINE void store_narrow(Int a, Narrow* to) {
+  const hn::Rebind<Narrow, IntTag> narrow;
+  hn::StoreU(hn::TruncateTo(narrow, hn::BitCast(UintTag{}, a.v)), narrow, to);
+}
+/// The same, where the mask says so.
 template <class Narrow>
 HWY_INLINE void store_narrow_where(Mask m, Int a, Narrow* to) {
-  const hn::Rebind<Narrow, IntTag> narrow;
-  const Int kept = select(m, a, load_narrow(to));
-  hn::StoreU(hn::TruncateTo(narrow, hn::BitCast(UintTag{}, kept.v)), narrow, to);
+  store_narrow(select(m, a, load_narrow(to)), to);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -54,6 +54,8 @@ struct Float {
   HWY_INLINE Float(float all) : v(hn::Set(FloatTag{}, all)) {}
 };
 
+using ExactFloat = Float<Precision::exact>;
+
 // Arithmetic: a pair of numbers, or a number and a scalar that stands for all lanes.
 #define TUBERIA_FLOAT_OPERATOR(OP, NAME)                                                             \
   template <Precision P>                                                                             \
@@ -104,6 +106,9 @@ template <int kBits>
 HWY_INLINE Int shift_right(Int a) {
   return Int(hn::BitCast(IntTag{}, hn::ShiftRight<kBits>(hn::BitCast(UintTag{}, a.v))));
 }
+/// Fills with the sign from the left: rounds down.
+template <int kBits>
+HWY_INLINE Int arithmetic_shift_right(Int a) { return Int(hn::ShiftRight<kBits>(a.v)); }
 HWY_INLINE Int min(Int a, Int b) { return Int(hn::Min(a.v, b.v)); }
 HWY_INLINE Int max(Int a, Int b) { return Int(hn::Max(a.v, b.v)); }
 HWY_INLINE std::int32_t largest_lane(Int a) { return hn::GetLane(hn::MaxOfLanes(IntTag{}, a.v)); }

@@ -16,8 +16,6 @@ HWY_BEFORE_NAMESPACE();
 namespace tuberia {
 namespace HWY_NAMESPACE {
 
-using ExactFloat = Float<Precision::exact>;
-
 HWY_INLINE Vec3<ExactFloat> gather_triple(const float* triples, const std::uint32_t* source) {
   const Int first = load(source) * Int(3);
   return {gather<ExactFloat>(triples, first), gather<ExactFloat>(triples + 1, first), gather<ExactFloat>(triples + 2, first)};
@@ -62,7 +60,7 @@ HWY_INLINE Double snapped(Double pixels) {
   return min(max(round(pixels * Double(kSubpixelUnits)), Double(-kGuardBandUnits)), Double(kGuardBandUnits));
 }
 
-inline void project(const ClipArrays& clip, int count, const ScreenMap& map, const ScreenArrays& out) {
+inline void project(const ClipArrays& clip, int count, const ScreenMap& map, ScreenVertex* out) {
   for (int i = 0; i < count; i += kDoubleLanes) {
     const Double w = load_double(clip.w + i);
     // Vertices behind the eye, or not finite, have no place on the screen; clipping has replaced
@@ -74,9 +72,11 @@ inline void project(const ClipArrays& clip, int count, const ScreenMap& map, con
       const DoubleMask placed = in_front & (ndc <= Double(1e30)) & (ndc >= Double(-1e30));
       return select(placed, ndc, Double(0.0)) * Double(scale) + Double(offset);
     };
-    store(snapped(screen(clip.x, map.x_scale, map.x_offset)), out.x + i);
-    store(snapped(screen(clip.y, map.y_scale, map.y_offset)), out.y + i);
-    store(screen(clip.z, map.depth_scale, map.depth_offset), out.depth + i);
+    const auto x = hn::DemoteTo(HalfIntTag{}, snapped(screen(clip.x, map.x_scale, map.x_offset)).v);
+    const auto y = hn::DemoteTo(HalfIntTag{}, snapped(screen(clip.y, map.y_scale, map.y_offset)).v);
+    const auto depth = hn::DemoteTo(HalfFloatTag{}, screen(clip.z, map.depth_scale, map.depth_offset).v);
+    const auto clip_w = hn::LoadU(HalfFloatTag{}, clip.w + i);
+    hn::StoreInterleaved4(x, y, hn::BitCast(HalfIntTag{}, depth), hn::BitCast(HalfIntTag{}, clip_w), HalfIntTag{}, &out[i].x);
   }
 }
 

@@ -17,7 +17,7 @@ struct VertexCatcher : Observer {
     const VertexBatch& v = chunk.vertices;
     for (std::size_t i = 0; i < v.source.size(); ++i) {
       if (stage == Stage::vertex_transform) place(clip, v.source[i], {v.clip_x[i], v.clip_y[i], v.clip_z[i], v.clip_w[i]});
-      if (stage == Stage::perspective_divide) place(screen, v.source[i], {v.screen_x[i], v.screen_y[i], v.depth[i], v.clip_w[i]});
+      if (stage == Stage::perspective_divide) place(screen, v.source[i], {v.screen[i].x, v.screen[i].y, v.screen[i].depth, v.clip_w[i]});
       if (stage == Stage::set_up && !v.fog_coordinates.empty()) place(fog, v.source[i], v.fog_coordinates[i]);
     }
   }

@@ -142,9 +142,7 @@ TEST_CASE("polygon modes: stippled edges start anew with each polygon", "[pipeli
 TEST_CASE("polygon offset: a slope and a unit", "[pipeline][case-33]") {
   const auto bias = [](const PolygonOffset& state, DepthFormat format, float at_origin) {
     VertexBatch batch;
-    batch.screen_x = {0, 100 * 256, 0};
-    batch.screen_y = {0, 0, 100 * 256};
-    batch.depth = {at_origin, at_origin + 0.1f, at_origin + 0.2f};
+    batch.screen = {{.depth = at_origin}, {.x = 100 * 256, .depth = at_origin + 0.1f}, {.y = 100 * 256, .depth = at_origin + 0.2f}};
     const PolygonOffsetting offset(state, format);
     CHECK(offset.bias(batch, 0, 1, 2) == offset.bias(batch, 0, 2, 1));
     return offset.bias(batch, 0, 1, 2);

@@ -22,7 +22,7 @@ struct Placed {
 Placed divided(std::array<float, 4> clip, const ScreenMap& map, InstructionSet set) {
   VertexBatch batch = test::clip_batch({&clip, 1});
   PerspectiveDivide(map, set)(batch);
-  return {batch.screen_x[0], batch.screen_y[0], batch.depth[0]};
+  return {batch.screen[0].x, batch.screen[0].y, batch.screen[0].depth};
 }
 
 /// Which of some triangles survive, by their primitives' numbers.
@@ -104,9 +104,9 @@ TEST_CASE("divide: every instruction set puts a vertex in the same place", "[pip
     for (std::size_t i = 0; i < corners.size(); ++i) {
       const double inverse = 1.0 / static_cast<double>(corners[i][3]);
       const auto screen = [&](std::size_t k, double scale, double offset) { return static_cast<double>(corners[i][k]) * inverse * scale + offset; };
-      const bool same = batch.screen_x[i] == snap(screen(0, map.x_scale, map.x_offset)) &&
-                        batch.screen_y[i] == snap(screen(1, map.y_scale, map.y_offset)) &&
-                        batch.depth[i] == static_cast<float>(screen(2, map.depth_scale, map.depth_offset));
+      const bool same = batch.screen[i].x == snap(screen(0, map.x_scale, map.x_offset)) &&
+                        batch.screen[i].y == snap(screen(1, map.y_scale, map.y_offset)) &&
+                        batch.screen[i].depth == static_cast<float>(screen(2, map.depth_scale, map.depth_offset));
       if (!same) FAIL("seed 64, vertex " << i);
     }
   });
@@ -153,8 +153,8 @@ TEST_CASE("culling: no area is no triangle, one unit is", "[pipeline][case-07]")
 }
 
 TEST_CASE("culling: what holds no centre of a drawable pixel goes", "[pipeline]") {
-  const std::vector<std::array<std::int32_t, 2>> points{{129, 129}, {383, 129}, {129, 383}, {385, 129}, {129, 385}, {20000, 0}, {20000, 20000}, {30000, 100}};
-  // Between four centres; around the centre of pixel (1, 0) or not; right of the scissor.
+  const std::vector<std::array<std::int32_t, 2>> points{{129, 129}, {383, 129}, {129, 383}, {385, 129}, {385, 385}, {20000, 0}, {20000, 20000}, {30000, 100}};
+  // Between four centres; around that of pixel (1, 1), on its left edge; right of the scissor.
   const std::vector<std::array<std::uint32_t, 3>> triangles{{0, 1, 2}, {0, 3, 4}, {5, 6, 7}};
   for_every_instruction_set([&](InstructionSet set) {
     VertexBatch vertices = test::screen_batch(points);

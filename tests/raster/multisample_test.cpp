@@ -30,8 +30,7 @@ struct SampledSet {
       triangles.push_back(t);
     }
     const std::size_t corners = 3 * triangles.size(), padded = corners + kKernelPadding;
-    std::vector<std::int32_t> x(padded), y(padded);
-    std::vector<float> w(padded, 1.0f);
+    std::vector<ScreenVertex> vertices(padded);
     std::vector<std::uint32_t> v[5];
     for (auto& array : v) array.resize(triangles.size() + kKernelPadding, 0u);
     std::vector<std::uint8_t> is_back(triangles.size() + kKernelPadding, 0);
@@ -39,13 +38,13 @@ struct SampledSet {
     test::Random random(depth_seed);
     for (std::size_t i = 0; i < triangles.size(); ++i)
       for (std::size_t k = 0; k < 3; ++k) {
-        x[3 * i + k] = triangles[i][k].x, y[3 * i + k] = triangles[i][k].y;
         v[k][i] = static_cast<std::uint32_t>(3 * i + k);
         depths[3 * i + k] = random.between(0, 1);
+        vertices[3 * i + k] = {triangles[i][k].x, triangles[i][k].y, depths[3 * i + k], 1};
       }
     screen.resize(triangles.size());
     geometry_kernels(set).set_up({v[0].data(), v[1].data(), v[2].data(), v[3].data(), v[4].data(), is_back.data()}, static_cast<int>(triangles.size()),
-                                 {x.data(), y.data(), depths.data()}, w.data(), true, screen.data());
+                                 vertices.data(), true, screen.data());
   }
 
   /// Calls visit(triangle number, block) for all blocks of a target.

@@ -27,11 +27,11 @@ inline VertexBatch clip_batch(std::span<const std::array<float, 4>> corners) {
 inline VertexBatch screen_batch(std::span<const std::array<std::int32_t, 2>> points) {
   VertexBatch batch;
   const std::size_t padded = points.size() + kKernelPadding;
-  batch.screen_x.resize(padded), batch.screen_y.resize(padded), batch.depth.resize(padded);
+  batch.screen.resize(padded);
   batch.clip_w.resize(padded, 1.0f);
   for (std::size_t i = 0; i < points.size(); ++i) {
-    batch.screen_x[i] = points[i][0];
-    batch.screen_y[i] = points[i][1];
+    batch.screen[i].x = points[i][0];
+    batch.screen[i].y = points[i][1];
     batch.source.push_back(static_cast<std::uint32_t>(i));
   }
   return batch;

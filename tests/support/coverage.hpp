@@ -72,10 +72,9 @@ class TriangleSet {
     fill(triangles, w, depth);
     const GeometryKernels& kernels = geometry_kernels(instruction_set);
     const TriangleArrays arrays{v_[0].data(), v_[1].data(), v_[2].data(), v_[3].data(), v_[4].data(), is_back_.data()};
-    const ScreenArrays vertices{x_.data(), y_.data(), depth_.data()};
-    kept_ = clip_.empty() ? 0 : kernels.cull(arrays, static_cast<int>(triangles.size()), vertices, {}, clip_);
+    if (!clip_.empty()) kept_ = kernels.cull(arrays, static_cast<int>(triangles.size()), vertices_.data(), {}, clip_).kept;
     screen_.resize(static_cast<std::size_t>(kept_));
-    kernels.set_up(arrays, kept_, vertices, w_.data(), false, screen_.data());
+    kernels.set_up(arrays, kept_, vertices_.data(), false, screen_.data());
     lists_.build(screen_, clip_, tiles_per_row_, tile_rows_);
   }
 
@@ -102,15 +101,15 @@ class TriangleSet {
  private:
   void fill(std::span<const Triangle> triangles, std::span<const float> w, std::span<const float> depth) {
     const std::size_t corners = 3 * triangles.size(), padded = corners + kKernelPadding;
-    x_.resize(padded), y_.resize(padded), depth_.resize(padded), w_.resize(padded, 1.0f);
-    std::copy(w.begin(), w.end(), w_.begin());
-    std::copy(depth.begin(), depth.end(), depth_.begin());
+    vertices_.resize(padded);
+    for (std::size_t i = 0; i < w.size(); ++i) vertices_[i].w = w[i];
+    for (std::size_t i = 0; i < depth.size(); ++i) vertices_[i].depth = depth[i];
     is_back_.resize(triangles.size() + kKernelPadding);
     for (auto& array : v_) array.resize(triangles.size() + kKernelPadding, 0u);
     for (std::size_t i = 0; i < triangles.size(); ++i) {
       for (std::size_t k = 0; k < 3; ++k) {
-        x_[3 * i + k] = triangles[i][k].x;
-        y_[3 * i + k] = triangles[i][k].y;
+        vertices_[3 * i + k].x = triangles[i][k].x;
+        vertices_[3 * i + k].y = triangles[i][k].y;
         v_[k][i] = static_cast<std::uint32_t>(3 * i + k);
       }
       v_[3][i] = static_cast<std::uint32_t>(3 * i);
@@ -120,8 +119,7 @@ class TriangleSet {
 
   PixelRect clip_;
   int tiles_per_row_, tile_rows_, kept_ = 0;
-  std::vector<std::int32_t> x_, y_;
-  std::vector<float> depth_, w_;
+  std::vector<ScreenVertex> vertices_;
   std::vector<std::uint32_t> v_[5];
   std::vector<std::uint8_t> is_back_;
   std::vector<ScreenTriangle> screen_;
