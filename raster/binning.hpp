@@ -18,21 +18,29 @@ class TileLists {
   void build(std::span<const ScreenTriangle> triangles, const PixelRect& clip, int tiles_per_row, int tile_rows,
              double reach_pixels = 0);
 
-  int tile_count() const noexcept { return begin_.empty() ? 0 : static_cast<int>(begin_.size()) - 1; }
+  int tile_count() const noexcept { return tile_count_; }
   std::span<const std::uint16_t> of_tile(int tile) const noexcept {
-    const auto i = static_cast<std::size_t>(tile);
+    const std::size_t i = static_cast<std::uint32_t>(tile) - first_tile_;  // wraps around below it
+    if (i >= listed_tiles_) return {};
     return {entries_.data() + begin_[i], begin_[i + 1] - begin_[i]};
   }
 
  private:
-  std::vector<std::uint32_t> begin_;   // of each tile's entries; one more at the end
+  void list_runs(std::span<const ScreenTriangle> triangles, const PixelRect& clip, int tiles_per_row, double reach_pixels);
+
+  // Only the tiles from the first to the last that is touched are kept, so that a chunk costs no more
+  // on a large target.
+  int tile_count_ = 0;
+  std::uint32_t first_tile_ = 0, listed_tiles_ = 0;
+  std::vector<std::uint32_t> begin_;   // of each listed tile's entries; more at the end
   std::vector<std::uint16_t> entries_;
 
-  struct Touch {
+  /// Triangles one after the other that touch a tile: first, first + 1, ...
+  struct Run {
     std::uint32_t tile;
-    std::uint16_t triangle;
+    std::uint16_t first, count;
   };
-  std::vector<Touch> touched_;  // in submission order
+  std::vector<Run> runs_;  // in submission order
 };
 
 }  // namespace tuberia
