@@ -69,10 +69,7 @@ class FragmentChain {
 
     // 7 FragmentShading.
     if constexpr (kOneColour) {
-      if (has_one_pixel_) {
-        store_where(live, one_pixel_, static_cast<std::uint32_t*>(tile_.colour) + group.index);
-        return;
-      }
+      if (one_colour_.is_ready()) return one_colour_.write(live, output_.colour_format, pixels(group));
     }
     const Vec4<F> colour = shade(group, live);
 
@@ -107,10 +104,11 @@ class FragmentChain {
   HWY_INLINE bool shades() const { return Program::may_discard || output_.blend.write; }
 
   HWY_INLINE void begin_one_colour() {
-    has_one_pixel_ = output_.blend.mode == BlendMode::replace && output_.colour_format != ColourFormat::rgba32f;
-    if (!has_one_pixel_) return;
     Mask live = all_lanes();
-    one_pixel_ = encode(saturate(shade(FragmentGroup<F>{0, live, {F(0.0f), F(0.0f)}}, live)), output_.colour_format);
+    one_colour_.begin(shade(FragmentGroup<F>{0, live, {F(0.0f), F(0.0f)}}, live), output_);
+  }
+  HWY_INLINE std::uint32_t* pixels(const FragmentGroup<F>& group) const {
+    return static_cast<std::uint32_t*>(tile_.colour) + group.index;
   }
 
   const FragmentJob& job_;
@@ -122,8 +120,7 @@ class FragmentChain {
   const ScreenTriangle* triangle_ = nullptr;
   TriangleAttributes<Program> attributes_;
   bool asks_blocks_ = false;
-  bool has_one_pixel_ = false;
-  Int one_pixel_;
+  OneColour<F> one_colour_;
 };
 
 /// What the next triangles will want, asked for while this one is drawn.

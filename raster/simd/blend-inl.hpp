@@ -8,7 +8,7 @@
 #endif
 
 #include "math/colour.hpp"
-#include "raster/simd/vector-inl.hpp"
+#include "raster/simd/bytes-inl.hpp"
 #include "raster/srgb_encoding.hpp"
 #include "raster/tile.hpp"
 
@@ -23,10 +23,6 @@ HWY_INLINE Vec4<F> saturate(Vec4<F> c) { return {saturate(c.x), saturate(c.y), s
 template <class F>
 HWY_INLINE Int unorm8(F x) { return round_half_up(x * 255.0f); }
 
-HWY_INLINE Int pack(Int r, Int g, Int b, Int a) {
-  return r | shift_left<8>(g) | shift_left<16>(b) | shift_left<24>(a);
-}
-
 /// The nearest sRGB code of a linear intensity in [0, 1]: a first guess by exponent and leading
 /// bits of the mantissa, right or one too small, then one comparison.
 template <class F>
@@ -39,30 +35,51 @@ HWY_INLINE Int srgb_code(F linear) {
   return guess + (Int(1) & select(at_least >= next, Int(-1), Int(0)));
 }
 
+/// The code of a colour in [0, 1], or above by as little as roundings bring about: 1/1000 would do.
 template <class F>
 HWY_INLINE Int encode(Vec4<F> c, ColourFormat format) {
   if (format == ColourFormat::srgb8) return pack(srgb_code(c.x), srgb_code(c.y), srgb_code(c.z), unorm8(c.w));
-  return pack(unorm8(c.x), unorm8(c.y), unorm8(c.z), unorm8(c.w));
+  return rounded_bytes(Vec4<F>(c.x * 255.0f, c.y * 255.0f, c.z * 255.0f, c.w * 255.0f));
 }
 
 template <class F>
 HWY_INLINE Vec4<F> decode(Int pixel, ColourFormat format) {
+  constexpr float kUnit = 1.0f / 255.0f;
+  if (format == ColourFormat::rgba8) return scaled_bytes<F>(pixel, kUnit);
   const Int byte(0xff);
-  const F unit(1.0f / 255.0f);
-  const Int r = pixel & byte, g = shift_right<8>(pixel) & byte, b = shift_right<16>(pixel) & byte;
-  const F alpha = to_float<F>(shift_right<24>(pixel)) * unit;
-  if (format == ColourFormat::rgba8) return {to_float<F>(r) * unit, to_float<F>(g) * unit, to_float<F>(b) * unit, alpha};
   const float* linear = linear_from_srgb_codes().data();
-  return {gather<F>(linear, r), gather<F>(linear, g), gather<F>(linear, b), alpha};
+  return {gather<F>(linear, pixel & byte), gather<F>(linear, shift_right<8>(pixel) & byte),
+          gather<F>(linear, shift_right<16>(pixel) & byte), to_float<F>(shift_right<24>(pixel)) * kUnit};
+}
+
+/// A colour that is to lie over others: what it adds, and what it leaves of them.
+template <class F>
+struct Layer {
+  Vec4<F> light;
+  F rest;
+};
+
+template <class F>
+HWY_INLINE Layer<F> layer_of(Vec4<F> source) {
+  return {{source.x * source.w, source.y * source.w, source.z * source.w, source.w}, 1.0f - source.w};
+}
+template <class F>
+HWY_INLINE Vec4<F> over(const Layer<F>& layer, Vec4<F> pixel) {
+  return {mul_add(pixel.x, layer.rest, layer.light.x), mul_add(pixel.y, layer.rest, layer.light.y),
+          mul_add(pixel.z, layer.rest, layer.light.z), mul_add(pixel.w, layer.rest, layer.light.w)};
 }
 
 /// The new pixel from a fragment's colour and the pixel's.
 template <class F>
 HWY_INLINE Vec4<F> blend(Vec4<F> source, Vec4<F> pixel, BlendMode mode) {
-  if (mode == BlendMode::additive) return source + pixel;
-  const F rest = 1.0f - source.w;
-  return {mul_add(pixel.x, rest, source.x * source.w), mul_add(pixel.y, rest, source.y * source.w),
-          mul_add(pixel.z, rest, source.z * source.w), mul_add(pixel.w, rest, source.w)};
+  return mode == BlendMode::additive ? source + pixel : over(layer_of(source), pixel);
+}
+
+/// Lays one colour over the live pixels of a group; formats of 8 bits a channel. What comes of a layer
+/// and a pixel in [0, 1] is below 1.000001 and not below 0, which its code does not show.
+template <class F>
+HWY_INLINE void lay_over(Mask live, const Layer<F>& layer, ColourFormat format, std::uint32_t* pixels) {
+  store_where(live, encode(over(layer, decode<F>(load(pixels), format)), format), pixels);
 }
 
 /// Blends and stores the live fragments at `index` of the tile's colours.
@@ -84,10 +101,38 @@ HWY_INLINE void write_colour(Mask live, Vec4<F> colour, const OutputState& state
 
   std::uint32_t* pixels = static_cast<std::uint32_t*>(tile_colour) + index;
   colour = saturate(colour);
-  if (state.blend.mode != BlendMode::replace)
-    colour = saturate(blend(colour, decode<F>(load(pixels), state.colour_format), state.blend.mode));
+  if (state.blend.mode == BlendMode::source_over) return lay_over(live, layer_of(colour), state.colour_format, pixels);
+  if (state.blend.mode == BlendMode::additive) {
+    const Vec4<F> sum = colour + decode<F>(load(pixels), state.colour_format);
+    colour = {min(sum.x, 1.0f), min(sum.y, 1.0f), min(sum.z, 1.0f), min(sum.w, 1.0f)};
+  }
   store_where(live, encode(colour, state.colour_format), pixels);
 }
+
+/// write_colour for fragments that all have one colour, as far as that can be done beforehand.
+template <class F>
+class OneColour {
+ public:
+  HWY_INLINE void begin(Vec4<F> colour, const OutputState& state) {
+    way_ = Way::none;
+    if (state.colour_format == ColourFormat::rgba32f || state.blend.mode == BlendMode::additive) return;
+    way_ = state.blend.mode == BlendMode::replace ? Way::replace : Way::lay_over;
+    if (way_ == Way::replace) pixel_ = encode(saturate(colour), state.colour_format);
+    else layer_ = layer_of(saturate(colour));
+  }
+  /// Whether write() may be called instead of write_colour().
+  HWY_INLINE bool is_ready() const { return way_ != Way::none; }
+  HWY_INLINE void write(Mask live, ColourFormat format, std::uint32_t* pixels) const {
+    if (way_ == Way::replace) store_where(live, pixel_, pixels);
+    else lay_over(live, layer_, format, pixels);
+  }
+
+ private:
+  enum class Way { none, replace, lay_over };
+  Way way_ = Way::none;
+  Int pixel_;
+  Layer<F> layer_;
+};
 
 }  // namespace HWY_NAMESPACE
 }  // namespace tuberia
