@@ -111,7 +111,7 @@ int main() {
   std::printf("\n6 Rasterization: %zu blocks of 8x8 with %d fragments\n", blocks.size(), live_fragments(blocks));
   print_blocks(blocks);
 
-  const ChunkView chunk{screen_triangles.data(), vertices.attributes.data(), vertices.stride};
+  const ChunkView chunk{.triangles = screen_triangles.data(), .attributes = vertices.attributes.data(), .stride = vertices.stride};
   const FragmentShading shading(draw.program, false, isa, Precision::exact);
   for (FragmentBlock& block : blocks) shading(chunk, block);
   const int first = std::countr_zero(blocks[0].live);

@@ -28,6 +28,7 @@ struct Chunk {
   PointBatch points;
   PolygonBatch polygons;            // only between clipping and culling, and for polygon modes
   std::vector<ScreenTriangle> screen_triangles;
+  std::vector<TriangleExtent> extents;
   std::vector<ScreenShape> shapes;  // empty when all are triangles
   std::uint32_t stipple_advance = 0;  // how far the chunk's part of a line strip moves the pattern on
   TileLists tiles;
@@ -37,7 +38,7 @@ struct Chunk {
   std::int64_t primitives() const noexcept { return triangles.count + static_cast<std::int64_t>(lines.size() + points.size()); }
 
   ChunkView view() const noexcept {
-    return {.triangles = screen_triangles.data(), .attributes = vertices.attributes.data(), .stride = vertices.stride,
+    return {.triangles = screen_triangles.data(), .extents = extents.data(), .attributes = vertices.attributes.data(), .stride = vertices.stride,
             .shapes = shapes.empty() ? nullptr : shapes.data(),
             .fog = vertices.fog_coordinates.empty() ? nullptr : vertices.fog_coordinates.data()};
   }

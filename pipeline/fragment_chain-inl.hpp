@@ -33,12 +33,10 @@ class FragmentChain {
     if constexpr (kOneColour) begin_one_colour();
   }
 
-  /// Whether all of a small triangle is seen to be hidden before its edges are placed.
-  HWY_INLINE bool hides_small(const TriangleWalk<F>& walk, const ScreenTriangle& triangle) {
-    return walk.is_small() && hidden_.is_of_use() && hidden_.hides_small(triangle, walk.part());
-  }
+  /// Whether all of a small triangle is hidden.
+  HWY_INLINE bool hides(const TriangleExtent& extent) { return hidden_.is_of_use() && hidden_.hides(extent); }
 
-  /// Whether all of a large one is. Otherwise decides whether its blocks are worth asking.
+  /// Whether all of a large one is hidden. Otherwise decides whether its blocks are worth asking.
   HWY_INLINE bool hides_large(const TriangleWalk<F>& walk) {
     asks_blocks_ = hidden_.is_of_use();
     if (!asks_blocks_ || !walk.has_much_of_tile()) return false;
@@ -55,6 +53,22 @@ class FragmentChain {
     float lowest, highest;
     walk.depth_bounds(x, y, kBlockSize - 1, lowest, highest);
     return hidden_.hides(y / kBlockSize * kBlocksPerTileRow + x / kBlockSize, lowest, highest);
+  }
+
+  /// Covers what is in this tile of a triangle that is not known to be hidden.
+  HWY_INLINE void add(const ScreenTriangle& triangle, TriangleWalk<F>& walk) {
+    if (!walk.begin(triangle, tile_, output_.clip)) return;
+    if (walk.is_small()) return walk.cover_small(tile_, groups_, *this);
+    if (walk.place(tile_) && !hides_large(walk)) walk.cover_blocks(groups_, *this);
+  }
+
+  /// Draws what has been covered.
+  HWY_NOINLINE void flush() {
+    for (int i = 0; i < groups_.count(); ++i) {
+      if (&groups_.triangle(i) != triangle_) begin(groups_.triangle(i));
+      (*this)(groups_.group(i));
+    }
+    groups_.clear();
   }
 
   /// One register of covered fragments through the rest of the pipeline.
@@ -121,45 +135,53 @@ class FragmentChain {
   TriangleAttributes<Program> attributes_;
   bool asks_blocks_ = false;
   OneColour<F> one_colour_;
+  CoveredGroups<F> groups_;
 };
 
-/// What the next triangles will want, asked for while this one is drawn.
-HWY_INLINE void prefetch(const ScreenTriangle& triangle) {
-  const char* bytes = reinterpret_cast<const char*>(&triangle);
-  prefetch(bytes);
-  prefetch(bytes + 64);
-}
+/// A few triangles of a tile's list that are not hidden, on their way through memory: first their
+/// records are asked for, then their vertices' attributes, then they are drawn.
+template <class Program, class F>
+class VisibleTriangles {
+ public:
+  static constexpr std::size_t kMost = 16;
 
-/// All of a tile's depths and codes, which many small triangles would otherwise wait for one by one.
-HWY_INLINE void prefetch(const Tile& tile) {
-  const char* depth = reinterpret_cast<const char*>(tile.depth);
-  const char* colour = static_cast<const char*>(tile.colour);
-  for (int i = 0; i < kTilePixels * 4; i += 64) {
-    prefetch(depth + i);
-    prefetch(colour + i);
+  HWY_INLINE void add(const ScreenTriangle& triangle) {
+    prefetch(reinterpret_cast<const char*>(&triangle));
+    prefetch(reinterpret_cast<const char*>(&triangle) + 64);
+    triangles_[count_++] = &triangle;
   }
-}
+
+  HWY_INLINE void draw(FragmentChain<Program, F>& chain, TriangleWalk<F>& walk, const ChunkView& chunk) {
+    if constexpr (TriangleAttributes<Program>::kCount > 0)
+      for (std::size_t i = 0; i < count_; ++i)
+        for (const std::uint16_t slot : triangles_[i]->vertex) prefetch(reinterpret_cast<const char*>(chunk.attributes + slot * chunk.stride));
+    for (std::size_t i = 0; i < count_; ++i) chain.add(*triangles_[i], walk);
+    chain.flush();
+    count_ = 0;
+  }
+
+ private:
+  const ScreenTriangle* triangles_[kMost];
+  std::size_t count_ = 0;
+};
 
 template <class Program, Precision P>
 void draw_tile(const FragmentJob& job, const Tile& tile, TileVisibility& visibility, const ChunkView& chunk,
-               std::span<const std::uint16_t> triangles) {
+               std::span<const std::uint16_t> listed) {
   using F = Float<P>;
   FragmentChain<Program, F> chain(job, tile, visibility, chunk);
   TriangleWalk<F> walk;
-  constexpr std::size_t kManyTriangles = 32;
-  if (triangles.size() >= kManyTriangles) prefetch(tile);
-  const std::size_t count = triangles.size();
-  const bool is_reversed = job.order == DrawOrder::last_first;
-  const auto listed = [&](std::size_t i) HWY_ATTR -> const ScreenTriangle& {
-    return chunk.triangles[triangles[is_reversed ? count - 1 - i : i]];
-  };
-  for (std::size_t i = 0; i < count; ++i) {
-    const ScreenTriangle& triangle = listed(i);
-    if (i + 2 < count) prefetch(listed(i + 2));
-    if (!walk.begin(triangle, tile, job.output.clip) || chain.hides_small(walk, triangle)) continue;
-    if (!walk.place(tile) || chain.hides_large(walk)) continue;
-    chain.begin(triangle);
-    walk.for_each_group(chain);
+  VisibleTriangles<Program, F> visible;
+  const auto count = static_cast<std::int64_t>(listed.size());
+  const auto number = [&](std::int64_t i) HWY_ATTR { return listed[static_cast<std::size_t>(in_draw_order(i, count, job.order))]; };
+  constexpr std::int64_t kAhead = 24;
+  for (std::int64_t i = 0; i < count;) {
+    const std::int64_t end = std::min(i + static_cast<std::int64_t>(visible.kMost), count);
+    for (; i < end; ++i) {
+      if (i + kAhead < count) prefetch(reinterpret_cast<const char*>(&chunk.extents[number(i + kAhead)]));
+      if (!chain.hides(chunk.extents[number(i)])) visible.add(chunk.triangles[number(i)]);
+    }
+    visible.draw(chain, walk, chunk);
   }
 }
 

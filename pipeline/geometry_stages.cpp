@@ -68,6 +68,7 @@ void GeometryStages::set_up(Chunk& chunk) const {
   if (offset_.applies_to(PolygonMode::fill)) offset_.move(chunk.vertices, chunk.screen_triangles);
   shape_set_up_(chunk);
   rasterization_.choose_faces(chunk.vertices, chunk.screen_triangles);
+  rasterization_.measure(chunk.screen_triangles, chunk.extents);
 }
 
 std::uint32_t GeometryStages::continue_stipple(Chunk& chunk, std::uint32_t start) const noexcept {

@@ -14,8 +14,8 @@
 namespace tuberia {
 namespace {
 
-// At once in flight: enough for many threads, little enough for the last cache.
-constexpr std::int64_t kChunksInFlight = 128;
+// At once in flight for each thread: enough to share out, little enough for the caches.
+constexpr std::int64_t kChunksPerThread = 16;
 
 }  // namespace
 
@@ -55,7 +55,7 @@ DrawStatistics Pipeline::run(RenderTarget& target, const DrawCall& draw_call, co
   DrawStatistics statistics;
   const std::int64_t primitives = geometry_stages.primitives();
   const std::int64_t per_chunk = geometry_stages.primitives_per_chunk();
-  const std::int64_t per_batch = kChunksInFlight * per_chunk, batches = (primitives + per_batch - 1) / per_batch;
+  const std::int64_t per_batch = kChunksPerThread * workers.thread_count() * per_chunk, batches = (primitives + per_batch - 1) / per_batch;
   std::uint32_t stipple_start = 0;
   for (std::int64_t batch = 0; batch < batches; ++batch) {
     const std::int64_t first = per_batch * in_draw_order(batch, batches, job.order);

@@ -1,5 +1,7 @@
 #include "pipeline/rasterization.hpp"
 
+#include <algorithm>
+
 namespace tuberia {
 
 void Rasterization::set_up(TriangleBatch& triangles, const VertexBatch& vertices, std::vector<ScreenTriangle>& out) const {
@@ -14,6 +16,11 @@ void Rasterization::choose_faces(const VertexBatch& vertices, std::span<ScreenTr
     for (std::uint16_t& slot : record.vertex) slot = static_cast<std::uint16_t>(slot + vertices.back_slots);
     record.provoking_vertex = static_cast<std::uint16_t>(record.provoking_vertex + vertices.back_slots);
   }
+}
+
+void Rasterization::measure(std::span<const ScreenTriangle> records, std::vector<TriangleExtent>& out) {
+  if (out.size() < records.size()) out.resize(records.size());
+  std::transform(records.begin(), records.end(), out.begin(), extent_of);
 }
 
 std::vector<FragmentBlock> Rasterization::blocks(const ScreenTriangle& triangle, RenderTarget& target) const {

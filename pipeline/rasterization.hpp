@@ -22,6 +22,9 @@ class Rasterization {
   /// Lets what is turned away find its own colours, where faces have them.
   static void choose_faces(const VertexBatch& vertices, std::span<ScreenTriangle> records) noexcept;
 
+  /// What the tiles want to know of each triangle before they look at it.
+  static void measure(std::span<const ScreenTriangle> records, std::vector<TriangleExtent>& out);
+
   /// Sorts triangles into the tiles of a target.
   void bin(std::span<const ScreenTriangle> triangles, int tiles_per_row, int tile_rows, TileLists& out) const {
     out.build(triangles, clip_, tiles_per_row, tile_rows, has_samples_ ? 0.5 : 0.0);

@@ -49,6 +49,20 @@ static_assert(sizeof(ScreenTriangle) == 128, "two cache lines");
 static_assert(offsetof(ScreenTriangle, weight_scale) == 44 && offsetof(ScreenTriangle, remainder) == 60 &&
               offsetof(ScreenTriangle, primitive) == 96 && offsetof(ScreenTriangle, constant) == 104);
 
+/// What tells whether a triangle is hidden, so that those which are need not be fetched.
+struct TriangleExtent {
+  std::int16_t left, top, right, bottom;  // as of the triangle
+  // Between these lie the depths of all its fragments; of large triangles, that are asked block by
+  // block, infinities.
+  float lowest, highest;
+};
+static_assert(sizeof(TriangleExtent) == 16);
+
+/// Triangles up to this size rarely hold a whole block.
+inline constexpr int kSmallPixels = 16;
+
+TriangleExtent extent_of(const ScreenTriangle& triangle) noexcept;
+
 /// The least relative 1/w: its reciprocal is still a float, so no quotient of weights overflows.
 inline constexpr double kLeastInverseW = 0x1p-100;
 

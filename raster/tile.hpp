@@ -66,6 +66,7 @@ constexpr bool is_everyday(const OutputState& s) noexcept {
 /// The triangles of one chunk, ready to be drawn, with the attributes of their vertices.
 struct ChunkView {
   const ScreenTriangle* triangles = nullptr;
+  const TriangleExtent* extents = nullptr;  // one for each
   const float* attributes = nullptr;  // stride floats a vertex slot
   int stride = 0;
   const ScreenShape* shapes = nullptr;  // one for each of `triangles`; null when all are triangles

@@ -3,6 +3,7 @@
 // has written, and how far away the farthest pixel of each block is. See docs/performance.md.
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "raster/tile.hpp"
@@ -37,21 +38,25 @@ inline constexpr int kBlocksPerTile = kTilePixels / kBlockPixels;
 
 struct TileVisibility {
   std::uint64_t draw = 0;                        // the draw that the rest belongs to
-  std::uint64_t farthest_known = 0;              // bit b: farthest[b] is right
-  std::int32_t farthest[kBlocksPerTile];         // of each block the largest key of a stored depth: see HiddenSurfaces
-  bool is_summarized = false;                    // with all of them right: the two below are, too
+  // Of each block at least the largest key of a stored depth: see HiddenSurfaces. Keys only get smaller
+  // while a draw lasts, so an old one is never wrong, only a reason to look again, and so are:
+  std::int32_t farthest[kBlocksPerTile];
+  std::uint8_t doubts[kBlocksPerTile];           // registers written and questions answered no since the last look
+  bool is_summarized = false;                    // the two below are up to date
   std::int32_t farthest_of_all = 0, nearest_of_all = 0;  // the largest and the smallest of `farthest`
   std::uint64_t written[kBlocksPerTile];         // last_first: bit i of word b: pixel i of block b
 
   /// Nothing is known, nothing written.
   void begin(std::uint64_t new_draw) noexcept {
     draw = new_draw;
-    farthest_known = 0;
     is_summarized = false;
-    for (std::uint64_t& block : written) block = 0;
+    for (int block = 0; block < kBlocksPerTile; ++block) {
+      farthest[block] = std::numeric_limits<std::int32_t>::max();
+      doubts[block] = 1;
+      written[block] = 0;
+    }
   }
 };
-static_assert(kBlocksPerTile <= 64, "a bit each in one word");
 
 /// That of all tiles of a target, for one draw after the other.
 class TargetVisibility {

@@ -39,12 +39,18 @@ struct BlockWriter {
   const ScreenTriangle& triangle;
   const Tile& tile;
   std::vector<FragmentBlock>& out;
+  CoveredGroups<F> groups{};
   FragmentBlock* block = nullptr;
   int number = -1;  // of the block in the tile
 
   HWY_INLINE bool hides(const TriangleWalk<F>&, int, int) const { return false; }
 
-  HWY_INLINE void operator()(const FragmentGroup<F>& group) {
+  HWY_INLINE void flush() {
+    for (int i = 0; i < groups.count(); ++i) write(groups.group(i));
+    groups.clear();
+  }
+
+  HWY_INLINE void write(const FragmentGroup<F>& group) {
     const int first = group.index % kBlockPixels;
     if (group.index / kBlockPixels != number) begin(group.index / kBlockPixels);
     block->live |= bits_at(group.covered, first);
@@ -91,7 +97,8 @@ void rasterize(const ScreenTriangle& triangle, const Tile& tile, const PixelRect
   TriangleWalk<Float<P>> walk;
   if (!walk.begin(triangle, tile, clip) || !walk.place(tile)) return;
   BlockWriter<Float<P>> writer{triangle, tile, out};
-  walk.for_each_group_of_blocks(writer);
+  walk.cover_blocks(writer.groups, writer);
+  writer.flush();
 }
 
 template <Precision P>

@@ -43,36 +43,32 @@ class HiddenSurfaces {
     if (is_reversed_) return test_reversed(live, depth, index);
     if (output_.depth == kDepthOff) return live;
     const Mask passed = depth_test(live, depth_code(depth, output_), output_, tile_.depth + index);
-    if (output_.depth.write) forget_farthest(index);
+    if (output_.depth.write && compares_by_size_) doubt(index);
     return passed;
   }
 
   /// Whether no fragment of this block can pass whose depth lies between these.
-  HWY_INLINE bool hides(int block, float lowest, float highest) {
-    if (first_wins_ && visibility_.written[block] == ~std::uint64_t{0}) return true;
-    return compares_by_size_ && key_of(lowest, highest) + tie_hides_ > farthest(block);
-  }
+  HWY_INLINE bool hides(int block, float lowest, float highest) { return hides(block, nearest_key(lowest, highest)); }
 
   /// What a triangle that has much of the tile can expect: that all its blocks hide it, some, or none.
   enum class Outlook { hidden, mixed, open };
   HWY_INLINE Outlook outlook(float lowest, float highest) {
     if (!compares_by_size_) return first_wins_ ? Outlook::mixed : Outlook::open;
     if (!visibility_.is_summarized) summarize();
-    if (key_of(lowest, highest) + tie_hides_ > visibility_.farthest_of_all) return Outlook::hidden;
-    const bool some_hide = last_key_of(lowest, highest) + tie_hides_ > visibility_.nearest_of_all;
+    if (nearest_key(lowest, highest) > visibility_.farthest_of_all) return Outlook::hidden;
+    const bool some_hide = last_key(lowest, highest) > visibility_.nearest_of_all;
     return some_hide || first_wins_ ? Outlook::mixed : Outlook::open;
   }
 
-  /// Whether all of a near triangle is hidden, by the depths of its vertices. Weights are right to
-  /// some 2^-22 inside the triangle, so no depth there lies farther beyond the vertices' than the margin.
-  HWY_INLINE bool hides_small(const ScreenTriangle& t, const PixelRect& part) {
-    const float second = t.depth + t.depth_delta[0], third = t.depth + t.depth_delta[1];
-    const float margin = 0x1p-19f * (std::abs(t.depth) + std::abs(t.depth_delta[0]) + std::abs(t.depth_delta[1]));
-    const float lowest = std::min(std::min(second, third), t.depth) - margin;
-    const float highest = std::max(std::max(second, third), t.depth) + margin;
-    for (int y = part.top / kBlockSize; y <= part.bottom / kBlockSize; ++y)
-      for (int x = part.left / kBlockSize; x <= part.right / kBlockSize; ++x)
-        if (!hides(y * kBlocksPerTileRow + x, lowest, highest)) return false;
+  /// Whether all of a small triangle is hidden in this tile. (Of a large one that is not known.)
+  HWY_INLINE bool hides(const TriangleExtent& t) {
+    if (t.lowest == -std::numeric_limits<float>::infinity()) return false;
+    const int left = std::max(t.left - tile_.left, 0) / kBlockSize, right = std::min(t.right - tile_.left, kTileSize - 1) / kBlockSize;
+    const int top = std::max(t.top - tile_.top, 0) / kBlockSize, bottom = std::min(t.bottom - tile_.top, kTileSize - 1) / kBlockSize;
+    const std::int32_t key = nearest_key(t.lowest, t.highest);
+    for (int y = top; y <= bottom; ++y)
+      for (int x = left; x <= right; ++x)
+        if (!hides(y * kBlocksPerTileRow + x, key)) return false;
     return true;
   }
 
@@ -80,6 +76,14 @@ class HiddenSurfaces {
   HWY_INLINE bool is_of_use() const { return compares_by_size_ || first_wins_; }
 
  private:
+  HWY_INLINE bool hides(int block, std::int32_t nearest) {
+    if (compares_by_size_) {
+      if (nearest > visibility_.farthest[block]) return true;
+      if (visibility_.doubts[block] != 0 && (visibility_.doubts[block] += 2) >= kEnoughDoubts) return nearest > find_farthest(block);
+    }
+    return first_wins_ && visibility_.written[block] == ~std::uint64_t{0};
+  }
+
   // Triangles that come last first: what was written by this draw was submitted later. Of equal
   // depths the strict comparisons keep the one that was submitted first, so the newcomer wins over
   // it; the others keep what is there. Where depth does not decide, the first to come stays.
@@ -98,52 +102,50 @@ class HiddenSurfaces {
       live = live & (nearer | ((code == old) & wins_ties));
       store_where(live, code, stored);
     }
-    if (output_.depth.write) forget_farthest(index);
+    if (!first_wins_) doubt(index);
     word |= static_cast<std::uint64_t>(bits_of(live)) << shift;
     return live;
   }
 
-  HWY_INLINE void forget_farthest(int index) {
-    visibility_.farthest_known &= ~(std::uint64_t{1} << (index / kBlockPixels));
+  HWY_INLINE void doubt(int index) {
+    ++visibility_.doubts[index / kBlockPixels];  // may start again at 0: that only costs time
     visibility_.is_summarized = false;
   }
 
-  HWY_INLINE std::int32_t farthest(int block) {
-    if ((visibility_.farthest_known >> block & 1) == 0) find_farthest(block);
-    return visibility_.farthest[block];
-  }
-
-  HWY_INLINE void find_farthest(int block) {
+  HWY_INLINE std::int32_t find_farthest(int block) {
     const std::int32_t* depth = tile_.depth + block * kBlockPixels;
     const Int flip(prefers_greater_ ? -1 : 0);
     Int largest = load(depth) ^ flip;
     for (int i = kLanes; i < kBlockPixels; i += kLanes) largest = max(largest, load(depth + i) ^ flip);
     visibility_.farthest[block] = largest_lane(largest);
-    visibility_.farthest_known |= std::uint64_t{1} << block;
+    visibility_.doubts[block] = 0;
     visibility_.is_summarized = false;
+    return visibility_.farthest[block];
   }
 
   HWY_NOINLINE void summarize() {
-    std::int32_t largest = farthest(0), smallest = largest;
-    for (int block = 1; block < kBlocksPerTile; ++block) {
-      largest = std::max(largest, farthest(block));
-      smallest = std::min(smallest, farthest(block));
+    std::int32_t largest = std::numeric_limits<std::int32_t>::min(), smallest = std::numeric_limits<std::int32_t>::max();
+    for (int block = 0; block < kBlocksPerTile; ++block) {
+      const std::int32_t farthest = visibility_.doubts[block] != 0 ? find_farthest(block) : visibility_.farthest[block];
+      largest = std::max(largest, farthest);
+      smallest = std::min(smallest, farthest);
     }
     visibility_.farthest_of_all = largest;
     visibility_.nearest_of_all = smallest;
     visibility_.is_summarized = true;
   }
 
-  /// The smallest key of the codes of depths between these; the least of all when they are not numbers.
-  HWY_INLINE std::int32_t key_of(float lowest, float highest) const {
-    if (!(lowest <= highest)) return std::numeric_limits<std::int32_t>::min();
-    return prefers_greater_ ? ~code_of(highest) : code_of(lowest);
+  /// The smallest key of the codes of depths between these; one more where a tie hides. The least of
+  /// all when they are not numbers, or do not matter.
+  HWY_INLINE std::int32_t nearest_key(float lowest, float highest) const {
+    if (!compares_by_size_ || !(lowest <= highest)) return std::numeric_limits<std::int32_t>::min();
+    return (prefers_greater_ ? ~code_of(highest) : code_of(lowest)) + tie_hides_;
   }
 
-  /// The largest; the greatest of all when they are not numbers.
-  HWY_INLINE std::int32_t last_key_of(float lowest, float highest) const {
-    if (!(lowest <= highest)) return std::numeric_limits<std::int32_t>::max() - 1;
-    return prefers_greater_ ? ~code_of(lowest) : code_of(highest);
+  /// The largest, likewise.
+  HWY_INLINE std::int32_t last_key(float lowest, float highest) const {
+    if (!(lowest <= highest)) return std::numeric_limits<std::int32_t>::max();
+    return (prefers_greater_ ? ~code_of(lowest) : code_of(highest)) + tie_hides_;
   }
 
   /// As depth_code, of one depth.
@@ -153,6 +155,8 @@ class HiddenSurfaces {
     return static_cast<std::int32_t>(static_cast<double>(clamped) * scale_ + 0.5);
   }
 
+  // A look at a block costs about as much as a register of shaded fragments.
+  static constexpr std::uint8_t kEnoughDoubts = 4;
   static constexpr std::uint32_t kAllBits = (1u << kLanes) - 1u;
 
   const OutputState& output_;

@@ -28,6 +28,39 @@ struct FragmentGroup {
   F weight[2];          // barycentric weights of vertices 1 and 2, linear in screen space
 };
 
+/// Groups on their way from coverage to the rest of the pipeline, of one triangle after the other.
+/// Coverage in one loop and what follows in another keeps the registers of both, and which groups are
+/// covered is no jump.
+template <class F>
+class CoveredGroups {
+ public:
+  static constexpr int kMost = 32;
+  static constexpr int kMostAtOnce = 16;  // a block of the narrowest machine, or a row of a small triangle
+
+  bool is_full() const { return count_ > kMost - kMostAtOnce; }
+  int count() const { return count_; }
+  const ScreenTriangle& triangle(int i) const { return *triangle_[i]; }
+  HWY_INLINE FragmentGroup<F> group(int i) const { return {index_[i], mask_of(covered_[i]), {load<F>(weight_[i][0]), load<F>(weight_[i][1])}}; }
+  void clear() { count_ = 0; }
+
+  /// Keeps the group if it has a covered pixel.
+  HWY_INLINE void add(const ScreenTriangle& triangle, int index, Mask covered, F weight1, F weight2) {
+    triangle_[count_] = &triangle;
+    index_[count_] = index;
+    covered_[count_] = bits_of(covered);
+    store(weight1, weight_[count_][0]);
+    store(weight2, weight_[count_][1]);
+    count_ += covered_[count_] != 0 ? 1 : 0;
+  }
+
+ private:
+  int count_ = 0;
+  const ScreenTriangle* triangle_[kMost];
+  int index_[kMost];
+  std::uint32_t covered_[kMost];
+  alignas(64) float weight_[kMost][2][kLanes];
+};
+
 /// The weights of a far triangle: planes anchored at the corner of the pixel grid's square that holds
 /// the tile, in double, rounded once.
 struct WeightPlanes {
@@ -71,7 +104,8 @@ struct WeightPlanes {
 template <class F>
 class TriangleWalk {
  public:
-  /// Whether the triangle's bounds leave anything here. `clip` may cut into the tile. Then `place`.
+  /// Whether the triangle's bounds leave anything here. `clip` may cut into the tile. What is small
+  /// is covered by cover_small; else `place` comes next, then cover_blocks.
   HWY_INLINE bool begin(const ScreenTriangle& triangle, const Tile& tile, const PixelRect& clip) {
     triangle_ = &triangle;
     left_ = std::max<int>(std::max<int>(triangle.left, clip.left), tile.left) - tile.left;
@@ -85,6 +119,8 @@ class TriangleWalk {
     return true;
   }
 
+  HWY_INLINE bool is_small() const { return is_near_ && right_ - left_ < kSmallPixels && bottom_ - top_ < kSmallPixels; }
+
   /// Places the edges. False when the triangle owns nothing here after all.
   HWY_INLINE bool place(const Tile& tile) {
     const ScreenTriangle& triangle = *triangle_;
@@ -96,12 +132,8 @@ class TriangleWalk {
     return true;
   }
 
-  /// A near triangle of at most 16 pixels each way, here.
-  HWY_INLINE bool is_small() const { return is_near_ && right_ - left_ < kSmallPixels && bottom_ - top_ < kSmallPixels; }
   /// Bounds that leave at least half of the tile.
   HWY_INLINE bool has_much_of_tile() const { return (right_ - left_ + 1) * (bottom_ - top_ + 1) >= kTilePixels / 2; }
-  /// The pixels of the tile that the bounds leave; right and bottom inclusive.
-  HWY_INLINE PixelRect part() const { return {left_, top_, right_, bottom_}; }
 
   /// Between which depths all fragments lie that are at (x, y) of the tile or up to `span` pixels to
   /// the right and below. Every step rounds, and keeps the order.
@@ -115,20 +147,48 @@ class TriangleWalk {
     }
   }
 
-  /// Calls visit(group) for every group with a covered pixel, but in blocks that visit.hides(x, y).
-  /// A small triangle's bounds are walked
-  /// as they are; a large one's block by block, since whole blocks are outside or inside.
+  /// Adds every group of a small triangle with a covered pixel: its bounds are walked as they are.
+  /// Calls visit.flush() whenever the list is full.
   template <class Visit>
-  HWY_INLINE void for_each_group(Visit& visit) const {
-    const bool is_small = right_ - left_ < kSmallPixels && bottom_ - top_ < kSmallPixels;
-    walk_squares(is_small ? kTileSize : kBlockSize, is_small, visit);
+  HWY_INLINE void cover_small(const Tile& tile, CoveredGroups<F>& list, Visit& visit) const {
+    const ScreenTriangle& t = *triangle_;
+    const int first_x = left_ & ~(kGroupWidth - 1), first_y = top_ & ~(kGroupHeight - 1);
+    Int row[3], step_x[3], step_y[3];
+    for (int i = 0; i < 3; ++i) {
+      const auto per_x = static_cast<std::uint32_t>(t.per_x[i]), per_y = static_cast<std::uint32_t>(t.per_y[i]);
+      const std::uint32_t at_first = static_cast<std::uint32_t>(t.constant_low[i]) + per_x * static_cast<std::uint32_t>(tile.left + first_x) +
+                                     per_y * static_cast<std::uint32_t>(tile.top + first_y);
+      row[i] = Int(static_cast<std::int32_t>(at_first)) + (lane_x() * Int(t.per_x[i]) + lane_y() * Int(t.per_y[i]));
+      step_x[i] = Int(t.per_x[i] * kGroupWidth);
+      step_y[i] = Int(t.per_y[i] * kGroupHeight);
+    }
+    const F scale(t.weight_scale), offset1(t.weight_offset[0]), offset2(t.weight_offset[1]);
+    for (int y = first_y; y <= bottom_; y += kGroupHeight) {
+      Int edge[3] = {row[0], row[1], row[2]};
+      for (int x = first_x; x <= right_; x += kGroupWidth) {
+        Mask covered = !is_negative(edge[0] | edge[1] | edge[2]);
+        if (is_cut_) covered = covered & inside_clip(x, y);
+        list.add(t, index_in_tile(x, y), covered, mul_add(to_float<F>(edge[1]), scale, offset1), mul_add(to_float<F>(edge[2]), scale, offset2));
+        for (int i = 0; i < 3; ++i) edge[i] = edge[i] + step_x[i];
+      }
+      if (list.is_full()) visit.flush();
+      for (int i = 0; i < 3; ++i) row[i] = row[i] + step_y[i];
+    }
   }
 
-  /// The same block by block whatever the size, so that a block's groups come together and the
-  /// blocks in the order of memory.
+  /// The same of any triangle, block by block in the order of memory, since whole blocks are outside or
+  /// inside; without blocks for which visit.hides(*this, x, y).
   template <class Visit>
-  HWY_INLINE void for_each_group_of_blocks(Visit& visit) const {
-    walk_squares(kBlockSize, false, visit);
+  HWY_INLINE void cover_blocks(CoveredGroups<F>& list, Visit& visit) const {
+    for (int y = top_ & ~(kBlockSize - 1); y <= bottom_; y += kBlockSize)
+      for (int x = left_ & ~(kBlockSize - 1); x <= right_; x += kBlockSize) {
+        bool inside = false;
+        if (is_outside(x, y, inside) || visit.hides(*this, x, y)) continue;
+        const PixelRect part{std::max(x, left_), std::max(y, top_), std::min(x + kBlockSize - 1, right_),
+                             std::min(y + kBlockSize - 1, bottom_)};
+        cover(part, inside, list);
+        if (list.is_full()) visit.flush();
+      }
   }
 
  private:
@@ -185,21 +245,8 @@ class TriangleWalk {
     return false;
   }
 
-  template <class Visit>
-  HWY_INLINE void walk_squares(int size, bool is_small, Visit& visit) const {
-    for (int y = top_ & ~(size - 1); y <= bottom_; y += size)
-      for (int x = left_ & ~(size - 1); x <= right_; x += size) {
-        bool inside = false;
-        if (!is_small && (is_outside(x, y, inside) || visit.hides(*this, x, y))) continue;
-        const PixelRect part{std::max(x, left_), std::max(y, top_), std::min(x + size - 1, right_),
-                             std::min(y + size - 1, bottom_)};
-        walk(part, inside, visit);
-      }
-  }
-
-  /// The groups of a part of the tile (right and bottom inclusive here).
-  template <class Visit>
-  HWY_INLINE void walk(const PixelRect& part, bool inside, Visit& visit) const {
+  /// The groups of a part of a block (right and bottom inclusive here).
+  HWY_INLINE void cover(const PixelRect& part, bool inside, CoveredGroups<F>& list) const {
     const int first_x = part.left & ~(kGroupWidth - 1), first_y = part.top & ~(kGroupHeight - 1);
     Int row[3], step_x[3], step_y[3];
     for (int i = 0; i < 3; ++i) {
@@ -212,13 +259,9 @@ class TriangleWalk {
       for (int x = first_x; x <= part.right; x += kGroupWidth) {
         Mask covered = inside ? all_lanes() : !is_negative(edge[0] | edge[1] | edge[2]);
         if (is_cut_) covered = covered & inside_clip(x, y);
-        if (any(covered)) {
-          FragmentGroup<F> group;
-          group.index = index_in_tile(x, y);
-          group.covered = covered;
-          set_weights(group, edge, x, y);
-          visit(group);
-        }
+        F weight[2];
+        find_weights(edge, x, y, weight);
+        list.add(*triangle_, index_in_tile(x, y), covered, weight[0], weight[1]);
         for (int i = 0; i < 3; ++i) edge[i] = edge[i] + step_x[i];
       }
       for (int i = 0; i < 3; ++i) row[i] = row[i] + step_y[i];
@@ -230,16 +273,13 @@ class TriangleWalk {
     return !((column < Int(left_)) | (column > Int(right_)) | (line < Int(top_)) | (line > Int(bottom_)));
   }
 
-  HWY_INLINE void set_weights(FragmentGroup<F>& group, const Int* edge, int x, int y) const {
+  HWY_INLINE void find_weights(const Int* edge, int x, int y, F* weight) const {
     if (is_near_) {
-      for (int i = 0; i < 2; ++i) group.weight[i] = mul_add(to_float<F>(edge[i + 1]), scale_, offset_[i]);
+      for (int i = 0; i < 2; ++i) weight[i] = mul_add(to_float<F>(edge[i + 1]), scale_, offset_[i]);
       return;
     }
-    planes_.weights(planes_.columns<F>(x), planes_.rows<F>(y), group.weight);
+    planes_.weights(planes_.columns<F>(x), planes_.rows<F>(y), weight);
   }
-
-  // Triangles up to this size rarely hold a whole block, so asking costs more than it saves.
-  static constexpr int kSmallPixels = 16;
 
   const ScreenTriangle* triangle_ = nullptr;
   int left_, top_, right_, bottom_;  // pixels of the tile, inclusive

@@ -41,7 +41,7 @@ void draw_slowly(RenderTarget& target, const DrawCall& draw, InstructionSet set,
   const Rasterization rasterization(accepted.clip, set, precision);
   std::vector<ScreenTriangle> screen_triangles;
   rasterization.set_up(triangles, vertices, screen_triangles);
-  const ChunkView view{screen_triangles.data(), vertices.attributes.data(), vertices.stride};
+  const ChunkView view{.triangles = screen_triangles.data(), .attributes = vertices.attributes.data(), .stride = vertices.stride};
   const FragmentShading shading(draw.program, state.rasterization.flat_shading, set, precision);
   const DepthTest depth_test(accepted.output, set, precision);
   const Blending blending(accepted.output, set, precision);
