@@ -1,5 +1,6 @@
 #pragma once
-// Memory that starts on a cache line, so that a wide load never straddles two.
+// Memory that starts on a cache line, so that a wide load never straddles two; and memory that is
+// kept from use to use.
 
 #include <cstddef>
 #include <new>
@@ -27,5 +28,12 @@ struct CacheLineAllocator {
 
 template <class T>
 using AlignedVector = std::vector<T, CacheLineAllocator<T>>;
+
+/// Makes room for `count` elements. Never takes any away, so that a vector that is used again and
+/// again is filled with zeros once and not each time it grows back.
+template <class Vector>
+void make_room(Vector& vector, std::size_t count) {
+  if (vector.size() < count) vector.resize(count);
+}
 
 }  // namespace tuberia

@@ -27,7 +27,7 @@ std::uint32_t slot_of(const ClippedCorner& corner, std::span<const std::uint32_t
   const std::size_t padded = number + 1 + kKernelPadding;
   AlignedVector<float>* arrays[4] = {&vertices.clip_x, &vertices.clip_y, &vertices.clip_z, &vertices.clip_w};
   for (std::size_t k = 0; k < 4; ++k) {
-    arrays[k]->resize(padded);
+    make_room(*arrays[k], padded);
     (*arrays[k])[number] = static_cast<float>(corner.position[k]);
   }
   return static_cast<std::uint32_t>(number);

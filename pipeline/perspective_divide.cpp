@@ -13,22 +13,13 @@ ScreenMap screen_map(const Viewport& viewport, const DepthRange& range, ClipVolu
           .depth_offset = from_minus_one ? 0.5 * (near_depth + far_depth) : near_depth};
 }
 
-namespace {
-
-void make_room(VertexBatch& batch) {
-  const auto padded = static_cast<std::size_t>(batch.size()) + kKernelPadding;
-  batch.screen.resize(padded);
-}
-
-}  // namespace
-
 void PerspectiveDivide::operator()(VertexBatch& batch) const {
-  make_room(batch);
+  make_room(batch.screen, static_cast<std::size_t>(batch.size()) + kKernelPadding);
   kernels_.project(batch.clip_arrays(), batch.size(), map_, batch.screen.data());
 }
 
 void PerspectiveDivide::take(std::span<const ScreenVertex> vertices, VertexBatch& batch) {
-  make_room(batch);
+  make_room(batch.screen, static_cast<std::size_t>(batch.size()) + kKernelPadding);
   for (std::size_t slot = 0; slot < batch.source.size(); ++slot) batch.screen[slot] = vertices[batch.source[slot]];
 }
 

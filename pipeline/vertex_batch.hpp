@@ -1,6 +1,7 @@
 #pragma once
 // The batches that travel through the geometry stages: the vertices and primitives of one chunk.
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -16,8 +17,18 @@ struct ClippedVertex {
   int count = 3;     // 2 on a line
 };
 
+/// What attributes are made from: the vertices of the mesh in use, and x, y, z (and for colours a
+/// fourth) arrays of `pitch` floats each. Kept from chunk to chunk for its memory.
+struct WorldVertices {
+  std::vector<std::uint8_t> is_used;               // by slot
+  std::vector<std::uint32_t> slots, sources;       // of those in use; sources are numbers in the mesh
+  int count = 0, pitch = 0;
+  AlignedVector<float> points, normals, colours;
+};
+
 /// Vertices, an array for each coordinate. A vertex's number here is its slot. Slots from
-/// source.size() on were made by clipping; slot source.size() + i by clipped[i].
+/// source.size() on were made by clipping; slot source.size() + i by clipped[i]. The other arrays may be
+/// longer than there are vertices.
 struct VertexBatch {
   std::vector<std::uint32_t> source;        // number in the mesh
   std::vector<ClippedVertex> clipped;
@@ -30,6 +41,7 @@ struct VertexBatch {
   // Where faces have colours of their own, the vertices of those that are turned away are stored so
   // many slots after the vertices themselves; else 0.
   int back_slots = 0;
+  WorldVertices world;
 
   int size() const noexcept { return static_cast<int>(source.size() + clipped.size()); }
   ClipArrays clip_arrays() noexcept {
@@ -43,20 +55,23 @@ struct TriangleBatch {
   std::vector<std::uint32_t> provoking;   // the vertex that gives flat attributes
   std::vector<std::uint32_t> primitive;   // number in the draw
   std::vector<std::uint8_t> is_back;      // turned away; after culling
-  int count = 0;                          // the arrays are padded beyond it for the kernels
+  int count = 0;                          // the arrays go on beyond it, for the kernels with valid slots
 
   void clear() { resize(0); }
-  /// Keeps the padding filled with valid slots.
   void resize(int new_count) {
     count = new_count;
-    const std::size_t padded = static_cast<std::size_t>(new_count) + kKernelPadding;
-    for (auto* array : {&v0, &v1, &v2, &provoking, &primitive}) array->resize(padded, 0u);
-    is_back.resize(padded, 0);
+    const auto end = static_cast<std::size_t>(new_count);
+    for (auto* array : {&v0, &v1, &v2, &provoking, &primitive}) {
+      make_room(*array, end + kKernelPadding);
+      std::fill_n(array->begin() + new_count, kKernelPadding, 0u);
+    }
+    make_room(is_back, end + kKernelPadding);
   }
   void add(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t first, std::uint32_t number) {
     const auto i = static_cast<std::size_t>(count);
     if (v0.size() < i + 1 + kKernelPadding) resize(2 * count + 64);  // seldom: there are six arrays to grow
     count = static_cast<int>(i) + 1;
+    v0[i + kKernelPadding] = v1[i + kKernelPadding] = v2[i + kKernelPadding] = 0;
     v0[i] = a;
     v1[i] = b;
     v2[i] = c;

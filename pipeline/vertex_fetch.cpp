@@ -50,24 +50,26 @@ void VertexFetch::operator()(const MeshView& mesh, Topology topology, PrimitiveR
   // As many as there can be, so that the loop need not ask; cut to what came at the end.
   const std::size_t most = 3 * static_cast<std::size_t>(range.count) + 2;
   slots.resize(most);
-  batch.source.resize(most);
+  make_room(source_, most);
   std::uint32_t* next_slot = slots.data();
-  std::uint32_t* const source = batch.source.data();
+  std::uint32_t* const source = source_.data();
   std::uint32_t vertices = 0;
 
   const std::uint32_t* const indices = mesh.indices.empty() ? nullptr : mesh.indices.data();
   const auto fetch = [&](std::int64_t element) {
     const std::uint32_t vertex = indices == nullptr ? static_cast<std::uint32_t>(element) : indices[element];
+    // Without a branch: which vertices are new follows no pattern that a processor could guess.
     Entry& entry = cache_[vertex % kEntries];
-    if (entry.vertex != vertex) {
-      entry = {vertex, vertices};
-      source[vertices++] = vertex;
-    }
-    *next_slot++ = entry.slot;
+    const bool is_new = entry.vertex != vertex;
+    const std::uint32_t slot = is_new ? vertices : entry.slot;
+    entry = {vertex, slot};
+    source[vertices] = vertex;
+    vertices += is_new;
+    *next_slot++ = slot;
   };
   fetch_elements(static_cast<std::int64_t>(mesh.element_count()), topology, range, fetch);
   slots.resize(static_cast<std::size_t>(next_slot - slots.data()));
-  batch.source.resize(vertices);
+  batch.source.assign(source, source + vertices);
 }
 
 }  // namespace tuberia

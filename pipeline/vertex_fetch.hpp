@@ -36,6 +36,7 @@ class VertexFetch {
     std::uint32_t vertex, slot;
   };
   std::array<Entry, kEntries> cache_;
+  std::vector<std::uint32_t> source_;  // room for what batch.source gets
 };
 
 }  // namespace tuberia

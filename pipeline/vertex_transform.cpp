@@ -11,12 +11,6 @@
 namespace tuberia {
 namespace {
 
-/// Original vertices in use, by slot, and their numbers in the mesh; padded for the kernels.
-struct UsedVertices {
-  std::vector<std::uint32_t> slots, sources;
-  int count = 0;
-};
-
 void mark(const TriangleBatch& triangles, std::vector<std::uint8_t>& used) {
   const auto count = static_cast<std::size_t>(triangles.count);
   for (std::size_t i = 0; i < count; ++i)
@@ -31,48 +25,58 @@ void mark(const PointBatch& points, std::vector<std::uint8_t>& used) {
   for (const AssembledPoint& point : points) used[point.vertex] = used[point.provoking] = 1;
 }
 
-UsedVertices used_vertices(const TriangleBatch& triangles, const LineBatch& lines, const PointBatch& points, const VertexBatch& batch) {
-  std::vector<std::uint8_t> used(static_cast<std::size_t>(batch.size()) + 1, 0);
-  mark(triangles, used);
-  mark(lines, used);
-  mark(points, used);
+/// Finds the original vertices in use; the lists are padded for the kernels.
+void list_used(const TriangleBatch& triangles, const LineBatch& lines, const PointBatch& points, VertexBatch& batch) {
+  WorldVertices& world = batch.world;
+  const std::size_t originals = batch.source.size();
+  world.is_used.assign(static_cast<std::size_t>(batch.size()), 0);
+  mark(triangles, world.is_used);
+  mark(lines, world.is_used);
+  mark(points, world.is_used);
   // A clipped vertex needs the three that it was made from.
   for (std::size_t i = 0; i < batch.clipped.size(); ++i)
-    if (used[batch.source.size() + i] != 0)
-      for (const std::uint32_t slot : batch.clipped[i].slot) used[slot] = 1;
+    if (world.is_used[originals + i] != 0)
+      for (const std::uint32_t slot : batch.clipped[i].slot) world.is_used[slot] = 1;
 
-  UsedVertices result;
-  for (std::size_t slot = 0; slot < batch.source.size(); ++slot)
-    if (used[slot] != 0) {
-      result.slots.push_back(static_cast<std::uint32_t>(slot));
-      result.sources.push_back(batch.source[slot]);
-    }
-  result.count = static_cast<int>(result.slots.size());
-  result.sources.resize(result.slots.size() + kKernelPadding, 0u);
-  return result;
+  make_room(world.slots, originals + kKernelPadding);
+  make_room(world.sources, originals + kKernelPadding);
+  std::size_t count = 0;
+  for (std::size_t slot = 0; slot < originals; ++slot) {
+    world.slots[count] = static_cast<std::uint32_t>(slot);
+    world.sources[count] = batch.source[slot];
+    count += world.is_used[slot];
+  }
+  std::fill_n(world.sources.begin() + static_cast<std::ptrdiff_t>(count), kKernelPadding, 0u);
+  world.count = static_cast<int>(count);
+  world.pitch = static_cast<int>((count + kKernelPadding - 1) / kKernelPadding * kKernelPadding);
 }
 
 /// Copies arrays of one scalar each (x, y, z, ... `pitch` apart) to the vertices' records.
-void scatter(const float* arrays, int pitch, int scalars, const UsedVertices& used, int offset, VertexBatch& batch) {
-  for (int i = 0; i < used.count; ++i) {
-    float* record = batch.attributes.data() + static_cast<std::size_t>(used.slots[static_cast<std::size_t>(i)]) * static_cast<std::size_t>(batch.stride) + offset;
-    for (int k = 0; k < scalars; ++k) record[k] = arrays[k * pitch + i];
+void scatter(const float* arrays, int scalars, int offset, VertexBatch& batch) {
+  const WorldVertices& world = batch.world;
+  for (int i = 0; i < world.count; ++i) {
+    float* record = batch.attributes.data() + static_cast<std::size_t>(world.slots[static_cast<std::size_t>(i)]) * static_cast<std::size_t>(batch.stride) + offset;
+    for (int k = 0; k < scalars; ++k) record[k] = arrays[k * world.pitch + i];
   }
 }
 
 /// Copies an attribute that needs no transformation.
 template <class Vector>
-void copy(std::span<const Vector> from, const Vector& missing, const UsedVertices& used, int offset, VertexBatch& batch) {
-  for (std::size_t i = 0; i < used.slots.size(); ++i) {
-    const Vector& value = from.empty() ? missing : from[used.sources[i]];
-    std::memcpy(batch.attributes.data() + used.slots[i] * static_cast<std::size_t>(batch.stride) + offset, &value, sizeof value);
+void copy(std::span<const Vector> from, const Vector& missing, int offset, VertexBatch& batch) {
+  const WorldVertices& world = batch.world;
+  float* const records = batch.attributes.data() + offset;
+  const auto stride = static_cast<std::size_t>(batch.stride);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(world.count); ++i) {
+    const Vector& value = from.empty() ? missing : from[world.sources[i]];
+    std::memcpy(records + world.slots[i] * stride, &value, sizeof value);
   }
 }
 
 /// Light times the surface's own colours.
-void multiply(std::span<const glm::vec4> surface, const UsedVertices& used, int pitch, float* light) {
-  for (int i = 0; i < used.count; ++i)
-    for (int k = 0; k < 4; ++k) light[k * pitch + i] *= surface[used.sources[static_cast<std::size_t>(i)]][k];
+void multiply(std::span<const glm::vec4> surface, WorldVertices& world) {
+  for (int i = 0; i < world.count; ++i)
+    for (int k = 0; k < 4; ++k)
+      world.colours[static_cast<std::size_t>(k * world.pitch + i)] *= surface[world.sources[static_cast<std::size_t>(i)]][k];
 }
 
 /// The records from slot `first` on, of vertices that clipping made.
@@ -91,10 +95,13 @@ void interpolate_clipped(VertexBatch& batch, std::size_t first) {
 }
 
 /// Positions as programs see them: those of clip space as they are.
-void copy_points(std::span<const glm::vec4> from, const UsedVertices& used, int pitch, float* out) {
-  for (int i = 0; i < used.count; ++i)
-    for (int k = 0; k < 3; ++k) out[k * pitch + i] = from[used.sources[static_cast<std::size_t>(i)]][k];
+void copy_points(std::span<const glm::vec4> from, WorldVertices& world) {
+  for (int i = 0; i < world.count; ++i)
+    for (int k = 0; k < 3; ++k)
+      world.points[static_cast<std::size_t>(k * world.pitch + i)] = from[world.sources[static_cast<std::size_t>(i)]][k];
 }
+
+Triples triples(std::span<const glm::vec3> vectors) { return {&vectors.front().x, vectors.size()}; }
 
 }  // namespace
 
@@ -106,8 +113,8 @@ VertexTransform::VertexTransform(const TransformState& state, const ClipLimits& 
 
 void VertexTransform::positions(const MeshView& mesh, VertexBatch& batch) const {
   const std::size_t count = batch.source.size(), padded = count + kKernelPadding;
-  for (auto* array : {&batch.clip_x, &batch.clip_y, &batch.clip_z, &batch.clip_w}) array->resize(padded);
-  batch.outcode.resize(padded);
+  for (auto* array : {&batch.clip_x, &batch.clip_y, &batch.clip_z, &batch.clip_w}) make_room(*array, padded);
+  make_room(batch.outcode, padded);
   const auto place = [&](std::size_t slot, const glm::vec4& p, std::uint32_t code) {
     batch.clip_x[slot] = p.x, batch.clip_y[slot] = p.y, batch.clip_z[slot] = p.z, batch.clip_w[slot] = p.w;
     batch.outcode[slot] = code;
@@ -124,44 +131,39 @@ void VertexTransform::positions(const MeshView& mesh, VertexBatch& batch) const 
     return;
   }
   batch.source.resize(padded, 0u);  // the kernel may read, but not count, beyond the end
-  kernels_.transform_positions(&clip_from_object_[0][0], &mesh.positions.front().x, batch.source.data(),
+  kernels_.transform_positions(&clip_from_object_[0][0], triples(mesh.positions), batch.source.data(),
                                static_cast<int>(count), limits_, batch.clip_arrays());
   batch.source.resize(count);
   for (std::size_t slot = 0; limits_.user_plane_count > 0 && slot < count; ++slot)
     batch.outcode[slot] |= user_outcode_of({batch.clip_x[slot], batch.clip_y[slot], batch.clip_z[slot], batch.clip_w[slot]}, limits_);
 }
 
-/// What lighting and programs want of the vertices in use: x, y, z arrays of `pitch` floats each.
-struct VertexTransform::WorldVertices {
-  UsedVertices used;
-  int pitch = 0;
-  AlignedVector<float> points, normals;
-};
-
 void VertexTransform::fill_in_world(const MeshView& mesh, bool with_points, bool with_normals, WorldVertices& out) const {
-  const UsedVertices& used = out.used;
-  out.pitch = static_cast<int>((static_cast<std::size_t>(used.count) + kKernelPadding - 1) / kKernelPadding * kKernelPadding);
+  const auto room = static_cast<std::size_t>(out.pitch) * 3;
   if (with_points) {
-    out.points.resize(static_cast<std::size_t>(out.pitch) * 3);
-    if (!mesh.clip_positions.empty()) copy_points(mesh.clip_positions, used, out.pitch, out.points.data());
+    make_room(out.points, room);
+    if (!mesh.clip_positions.empty()) copy_points(mesh.clip_positions, out);
     else if (!mesh.positions.empty())
-      kernels_.transform_points(&state_.world_from_object[0][0], &mesh.positions.front().x, used.sources.data(), used.count, out.points.data());
+      kernels_.transform_points(&state_.world_from_object[0][0], triples(mesh.positions), out.sources.data(), out.count, out.points.data());
+    else std::fill_n(out.points.begin(), room, 0.0f);
   }
   if (with_normals) {
-    out.normals.resize(static_cast<std::size_t>(out.pitch) * 3);
+    make_room(out.normals, room);
     if (!mesh.normals.empty())
-      kernels_.transform_normals(&world_normal_from_object_[0][0], &mesh.normals.front().x, used.sources.data(), used.count, out.normals.data());
+      kernels_.transform_normals(&world_normal_from_object_[0][0], triples(mesh.normals), out.sources.data(), out.count, out.normals.data());
+    else std::fill_n(out.normals.begin(), room, 0.0f);
   }
 }
 
 /// A face's colours: the surface's own, lit by `lighting` if there is any.
 void VertexTransform::fill_in_colours(const std::optional<Lighting>& lighting, std::span<const glm::vec4> surface,
-                                      const WorldVertices& world, int offset, VertexBatch& batch) const {
-  if (!lighting) return copy(surface, glm::vec4(1), world.used, offset, batch);
-  AlignedVector<float> colours(static_cast<std::size_t>(world.pitch) * 4);
-  vertex_lighting_kernel(instruction_set_)(*lighting, world.points.data(), world.normals.data(), world.pitch, colours.data());
-  if (!surface.empty()) multiply(surface, world.used, world.pitch, colours.data());
-  scatter(colours.data(), world.pitch, 4, world.used, offset, batch);
+                                      int offset, VertexBatch& batch) const {
+  if (!lighting) return copy(surface, glm::vec4(1), offset, batch);
+  WorldVertices& world = batch.world;
+  make_room(world.colours, static_cast<std::size_t>(world.pitch) * 4);
+  vertex_lighting_kernel(instruction_set_)(*lighting, world.points.data(), world.normals.data(), world.pitch, world.colours.data());
+  if (!surface.empty()) multiply(surface, world);
+  scatter(world.colours.data(), 4, offset, batch);
 }
 
 void VertexTransform::attributes(const MeshView& mesh, Attributes wanted, const TriangleBatch& triangles, VertexBatch& batch,
@@ -170,31 +172,32 @@ void VertexTransform::attributes(const MeshView& mesh, Attributes wanted, const 
   const bool has_colours = contains(wanted, Attributes::colour), two_sided = state_.two_sided_colours && has_colours;
   batch.back_slots = two_sided ? batch.size() : 0;
   if (batch.stride == 0 || (triangles.count == 0 && lines.empty() && points.empty())) return;
-  batch.attributes.resize(static_cast<std::size_t>(batch.size() + batch.back_slots) * static_cast<std::size_t>(batch.stride));
+  make_room(batch.attributes, static_cast<std::size_t>(batch.size() + batch.back_slots) * static_cast<std::size_t>(batch.stride));
   const bool lit = has_colours && (state_.vertex_lighting || (two_sided && state_.back_lighting));
 
-  WorldVertices world{used_vertices(triangles, lines, points, batch), 0, {}, {}};
+  list_used(triangles, lines, points, batch);
+  WorldVertices& world = batch.world;
   fill_in_world(mesh, contains(wanted, Attributes::position) || lit, contains(wanted, Attributes::normal) || lit, world);
-  const UsedVertices& used = world.used;
   const auto offset = [&](Attributes one) { return scalar_offset(wanted, one); };
-  if (contains(wanted, Attributes::position)) scatter(world.points.data(), world.pitch, 3, used, offset(Attributes::position), batch);
-  if (contains(wanted, Attributes::normal)) scatter(world.normals.data(), world.pitch, 3, used, offset(Attributes::normal), batch);
-  if (contains(wanted, Attributes::texcoord)) copy(mesh.texcoords, glm::vec2(0), used, offset(Attributes::texcoord), batch);
-  if (contains(wanted, Attributes::custom)) copy(mesh.custom, glm::vec4(0), used, offset(Attributes::custom), batch);
-  if (has_colours) fill_in_colours(state_.vertex_lighting, mesh.colours, world, offset(Attributes::colour), batch);
-  write_texture_coordinates(mesh, state_, wanted, used.slots, used.sources, batch);
+  if (contains(wanted, Attributes::position)) scatter(world.points.data(), 3, offset(Attributes::position), batch);
+  if (contains(wanted, Attributes::normal)) scatter(world.normals.data(), 3, offset(Attributes::normal), batch);
+  if (contains(wanted, Attributes::texcoord)) copy(mesh.texcoords, glm::vec2(0), offset(Attributes::texcoord), batch);
+  if (contains(wanted, Attributes::custom)) copy(mesh.custom, glm::vec4(0), offset(Attributes::custom), batch);
+  if (has_colours) fill_in_colours(state_.vertex_lighting, mesh.colours, offset(Attributes::colour), batch);
+  const auto used = static_cast<std::size_t>(world.count);
+  write_texture_coordinates(mesh, state_, wanted, std::span(world.slots).first(used), std::span(world.sources).first(used), batch);
   interpolate_clipped(batch, 0);
-  if (two_sided) add_back_faces(mesh, world, offset(Attributes::colour), batch);
+  if (two_sided) add_back_faces(mesh, offset(Attributes::colour), batch);
 }
 
-void VertexTransform::add_back_faces(const MeshView& mesh, WorldVertices& world, int offset, VertexBatch& batch) const {
+void VertexTransform::add_back_faces(const MeshView& mesh, int offset, VertexBatch& batch) const {
   // Their records differ in the colours alone.
   const auto back = static_cast<std::size_t>(batch.back_slots), length = back * static_cast<std::size_t>(batch.stride);
   std::copy_n(batch.attributes.begin(), length, batch.attributes.begin() + static_cast<std::ptrdiff_t>(length));
-  for (std::uint32_t& slot : world.used.slots) slot += static_cast<std::uint32_t>(back);
-  for (float& n : world.normals) n = -n;
+  for (std::uint32_t& slot : batch.world.slots) slot += static_cast<std::uint32_t>(back);
+  for (float& n : batch.world.normals) n = -n;
   fill_in_colours(state_.back_lighting ? state_.back_lighting : state_.vertex_lighting,
-                  mesh.back_colours.empty() ? mesh.colours : mesh.back_colours, world, offset, batch);
+                  mesh.back_colours.empty() ? mesh.colours : mesh.back_colours, offset, batch);
   interpolate_clipped(batch, back);
 }
 

@@ -29,11 +29,10 @@ class VertexTransform {
   void fog_coordinates(const MeshView& mesh, VertexBatch& batch) const;
 
  private:
-  struct WorldVertices;
   void fill_in_world(const MeshView& mesh, bool with_points, bool with_normals, WorldVertices& out) const;
-  void fill_in_colours(const std::optional<Lighting>& lighting, std::span<const glm::vec4> surface, const WorldVertices& world,
-                       int offset, VertexBatch& batch) const;
-  void add_back_faces(const MeshView& mesh, WorldVertices& world, int offset, VertexBatch& batch) const;
+  void fill_in_colours(const std::optional<Lighting>& lighting, std::span<const glm::vec4> surface, int offset,
+                       VertexBatch& batch) const;
+  void add_back_faces(const MeshView& mesh, int offset, VertexBatch& batch) const;
 
   TransformState state_;
   ClipLimits limits_;

@@ -63,10 +63,16 @@ struct CullResult {
   int uncovered = 0;  // dropped only because they cover none of the centres within their bounds
 };
 
+/// Vectors of a mesh, three floats each.
+struct Triples {
+  const float* first;
+  std::size_t count;
+};
+
 struct GeometryKernels {
   /// Clip position and outcode of `count` vertices: column-major matrix * (position, 1).
-  /// positions: triples of floats; source: their numbers.
-  void (*transform_positions)(const float* matrix, const float* positions, const std::uint32_t* source, int count,
+  /// source: their numbers in `positions`.
+  void (*transform_positions)(const float* matrix, const Triples& positions, const std::uint32_t* source, int count,
                               const ClipLimits& limits, const ClipArrays& out);
 
   /// Divides by w, maps to the screen and snaps to 24.8, round to nearest even; vertices with
@@ -85,8 +91,8 @@ struct GeometryKernels {
 
   /// World positions (affine, column-major 4x4) and unit normals (column-major 3x3) of vertices.
   /// out: x, y, z arrays one after the other, `count` rounded up to kKernelPadding long each.
-  void (*transform_points)(const float* matrix, const float* positions, const std::uint32_t* source, int count, float* out);
-  void (*transform_normals)(const float* matrix, const float* normals, const std::uint32_t* source, int count, float* out);
+  void (*transform_points)(const float* matrix, const Triples& positions, const std::uint32_t* source, int count, float* out);
+  void (*transform_normals)(const float* matrix, const Triples& normals, const std::uint32_t* source, int count, float* out);
 };
 
 const GeometryKernels& geometry_kernels(InstructionSet) noexcept;

@@ -10,15 +10,25 @@
 #include "math/fixed_point.hpp"
 #include "raster/geometry_kernels.hpp"
 #include "raster/simd/double-inl.hpp"
+#include "raster/simd/records-inl.hpp"
 #include "raster/simd/vector-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace tuberia {
 namespace HWY_NAMESPACE {
 
-HWY_INLINE Vec3<ExactFloat> gather_triple(const float* triples, const std::uint32_t* source) {
-  const Int first = load(source) * Int(3);
-  return {gather<ExactFloat>(triples, first), gather<ExactFloat>(triples + 1, first), gather<ExactFloat>(triples + 2, first)};
+/// A register of triples. A record of 16 bytes brings one at a time, and 4 bytes too many: only the
+/// mesh's last triple has nothing behind it.
+HWY_INLINE Vec3<ExactFloat> load_triples(const Triples& from, const std::uint32_t* source) {
+  const Int number = load(source);
+  if (any(number == Int(static_cast<std::int32_t>(from.count - 1)))) {
+    const Int first = number * Int(3);
+    return {gather<ExactFloat>(from.first, first), gather<ExactFloat>(from.first + 1, first), gather<ExactFloat>(from.first + 2, first)};
+  }
+  Int field[4];
+  const auto* const begin = reinterpret_cast<const std::int32_t*>(from.first);
+  load_records([&](int lane) HWY_ATTR { return begin + std::size_t{3} * source[lane]; }, field);
+  return {float_of_bits<ExactFloat>(field[0]), float_of_bits<ExactFloat>(field[1]), float_of_bits<ExactFloat>(field[2])};
 }
 
 /// Row `row` of a column-major 4x4 matrix times (p, 1), always summed in this order.
@@ -41,10 +51,10 @@ HWY_INLINE Int outcode_of(const Vec4<ExactFloat>& p, const ClipLimits& limits) {
          bit_where(p.w <= 0.0f, outcode::behind) | bit_where(!finite, outcode::invalid);
 }
 
-inline void transform_positions(const float* matrix, const float* positions, const std::uint32_t* source, int count,
+inline void transform_positions(const float* matrix, const Triples& positions, const std::uint32_t* source, int count,
                                 const ClipLimits& limits, const ClipArrays& out) {
   for (int i = 0; i < count; i += kLanes) {
-    const Vec3<ExactFloat> object = gather_triple(positions, source + i);
+    const Vec3<ExactFloat> object = load_triples(positions, source + i);
     const Vec4<ExactFloat> clip{transformed(matrix, 0, object), transformed(matrix, 1, object),
                                 transformed(matrix, 2, object), transformed(matrix, 3, object)};
     store(clip.x, out.x + i);
@@ -91,19 +101,19 @@ HWY_INLINE int padded(int count) {
   return (count + kPadding - 1) / kPadding * kPadding;
 }
 
-inline void transform_points(const float* matrix, const float* positions, const std::uint32_t* source, int count, float* out) {
+inline void transform_points(const float* matrix, const Triples& positions, const std::uint32_t* source, int count, float* out) {
   for (int i = 0; i < count; i += kLanes) {
-    const Vec3<ExactFloat> p = gather_triple(positions, source + i);
+    const Vec3<ExactFloat> p = load_triples(positions, source + i);
     store_triple({transformed(matrix, 0, p), transformed(matrix, 1, p), transformed(matrix, 2, p)}, i, padded(count), out);
   }
 }
 
-inline void transform_normals(const float* matrix, const float* normals, const std::uint32_t* source, int count, float* out) {
+inline void transform_normals(const float* matrix, const Triples& normals, const std::uint32_t* source, int count, float* out) {
   const auto row = [&](int r, const Vec3<ExactFloat>& n) HWY_ATTR {
     return (ExactFloat(matrix[r]) * n.x + ExactFloat(matrix[3 + r]) * n.y) + ExactFloat(matrix[6 + r]) * n.z;
   };
   for (int i = 0; i < count; i += kLanes) {
-    const Vec3<ExactFloat> n = gather_triple(normals, source + i);
+    const Vec3<ExactFloat> n = load_triples(normals, source + i);
     store_triple(normalize(Vec3<ExactFloat>{row(0, n), row(1, n), row(2, n)}), i, padded(count), out);
   }
 }
