@@ -63,7 +63,7 @@ class Fragment {
   using Number = F;
   using Attribs = TriangleAttributes<Program>;
 
-  HWY_INLINE Fragment(const Attribs& attributes, Mask live) : attributes_(attributes), live_(live) {}
+  HWY_INLINE Fragment(const Attribs& attributes, Mask live, LevelGuess& guess) : attributes_(attributes), live_(live), guess_(guess) {}
   HWY_INLINE void set_weights(F weight1, F weight2) {
     weight_[0] = weight1;
     weight_[1] = weight2;
@@ -85,7 +85,7 @@ class Fragment {
 
   /// The texture's colour at uv, filtered by the derivatives of uv over each quad of fragments.
   HWY_INLINE Vec4<F> sample(const Texture& texture, const Sampler& sampler, Vec2<F> uv) const {
-    return HWY_NAMESPACE::sample(texture, sampler, uv, live_);
+    return HWY_NAMESPACE::sample(texture, sampler, uv, live_, guess_);
   }
   /// The same of a one-dimensional texture.
   HWY_INLINE Vec4<F> sample(const Texture& texture, const Sampler& sampler, F s) const {
@@ -131,6 +131,7 @@ class Fragment {
   const Attribs& attributes_;
   F weight_[2] = {F(0.0f), F(0.0f)};  // perspective-correct weights of vertices 1 and 2
   Mask live_;
+  LevelGuess& guess_;
 };
 
 /// What a program derives from: nothing is read and nothing discarded unless it says so.

@@ -100,7 +100,7 @@ class FragmentChain {
 
   /// Runs the program; `live` loses the fragments it discards.
   HWY_INLINE Vec4<F> shade(const FragmentGroup<F>& group, Mask& live) {
-    Fragment<Program, F> fragment(attributes_, live);
+    Fragment<Program, F> fragment(attributes_, live, level_guess_);
     if constexpr (Program::interpolated != Attributes::none) {
       F corrected[2];
       correct_perspective(*triangle_, group.weight, corrected);
@@ -133,6 +133,7 @@ class FragmentChain {
   const typename Program::Uniforms& uniforms_;
   const ScreenTriangle* triangle_ = nullptr;
   TriangleAttributes<Program> attributes_;
+  LevelGuess level_guess_;
   bool asks_blocks_ = false;
   OneColour<F> one_colour_;
   CoveredGroups<F> groups_;

@@ -109,6 +109,17 @@ HWY_INLINE Int shift_right(Int a) {
 /// Fills with the sign from the left: rounds down.
 template <int kBits>
 HWY_INLINE Int arithmetic_shift_right(Int a) { return Int(hn::ShiftRight<kBits>(a.v)); }
+/// Byte kByte of each lane, 0 being the lowest.
+template <int kByte>
+HWY_INLINE Int byte(Int a) {
+  if constexpr (kByte == 0) return a & Int(0xff);
+  if constexpr (kByte == 3) return shift_right<24>(a);
+  constexpr std::uint8_t kZero = 128;
+  constexpr int b = kByte;
+  alignas(16) static constexpr std::uint8_t kFrom[16] = {b, kZero, kZero, kZero, b + 4, kZero, kZero, kZero, b + 8, kZero, kZero, kZero, b + 12, kZero, kZero, kZero};
+  const hn::Repartition<std::uint8_t, IntTag> bytes;
+  return Int(hn::BitCast(IntTag{}, hn::TableLookupBytesOr0(hn::BitCast(bytes, a.v), hn::LoadDup128(bytes, kFrom))));
+}
 HWY_INLINE Int min(Int a, Int b) { return Int(hn::Min(a.v, b.v)); }
 HWY_INLINE Int max(Int a, Int b) { return Int(hn::Max(a.v, b.v)); }
 HWY_INLINE std::int32_t largest_lane(Int a) { return hn::GetLane(hn::MaxOfLanes(IntTag{}, a.v)); }
@@ -145,6 +156,11 @@ HWY_INLINE Mask mask_of(std::uint32_t bits) {
   const hn::Vec<IntTag> bit_of_lane = hn::Shl(hn::Set(IntTag{}, 1), hn::Iota(IntTag{}, 0));
   return {hn::RebindMask(FloatTag{}, hn::TestBit(hn::Set(IntTag{}, static_cast<std::int32_t>(bits)), bit_of_lane))};
 #endif
+}
+
+/// The number in one lane.
+HWY_INLINE std::int32_t lane(Int a, int number) {
+  return hn::GetLane(hn::TableLookupLanes(a.v, hn::IndicesFromVec(IntTag{}, hn::Set(IntTag{}, number))));
 }
 
 template <Precision P>
@@ -276,6 +292,12 @@ HWY_INLINE Float<P> difference_y(Float<P> a) {
   return Float<P>(hn::IfThenElse(hn::RebindMask(FloatTag{}, hn::Eq(lane_in_quad, hn::Zero(IntTag{}))),
                                  delta, sign_flipped));
 }
+
+/// The same where only the quad's upper left pixel is wanted; the others' mean nothing.
+template <Precision P>
+HWY_INLINE Float<P> first_difference_x(Float<P> a) { return Float<P>(hn::Sub(hn::Shuffle2301(a.v), a.v)); }
+template <Precision P>
+HWY_INLINE Float<P> first_difference_y(Float<P> a) { return Float<P>(hn::Sub(hn::Shuffle1032(a.v), a.v)); }
 
 /// The value of each quad's upper left pixel, in all four of its pixels.
 template <Precision P>

@@ -25,7 +25,7 @@ namespace HWY_NAMESPACE {
 template <class F>
 HWY_INLINE F reduce_coordinate(F u, Wrap wrap) {
   switch (wrap) {
-    case Wrap::repeat: return saturate(u - floor(u));
+    case Wrap::repeat: return positive_part(u - floor(u));  // never above 1
     case Wrap::mirror: {
       const F half = u * 0.5f;
       const F period = saturate(half - floor(half)) * 2.0f;  // [0, 2]
@@ -46,15 +46,16 @@ HWY_INLINE Int wrap_index(Int i, int size, Wrap wrap) {
   return max(min(i, last), Int(0));
 }
 
-/// Channels of four texels' codes, 0..255, or linear intensities when the codes are sRGB.
+template <class F>
+HWY_INLINE F linear_from_srgb(Int code) { return gather<F>(linear_from_srgb_codes().data(), code); }
+
+/// Channels of texels as they are filtered: codes, 0..255, or linear intensities when the codes are sRGB.
 template <class F>
 HWY_INLINE Vec4<F> channels(Int codes, TextureEncoding encoding) {
-  const Int byte(0xff);
-  const Int r = codes & byte, g = shift_right<8>(codes) & byte, b = shift_right<16>(codes) & byte;
-  const F alpha = to_float<F>(shift_right<24>(codes));
+  const Int r = byte<0>(codes), g = byte<1>(codes), b = byte<2>(codes);
+  const F alpha = to_float<F>(byte<3>(codes));
   if (encoding == TextureEncoding::linear) return {to_float<F>(r), to_float<F>(g), to_float<F>(b), alpha};
-  const float* decode = linear_from_srgb_codes().data();
-  return {gather<F>(decode, r), gather<F>(decode, g), gather<F>(decode, b), alpha};
+  return {linear_from_srgb<F>(r), linear_from_srgb<F>(g), linear_from_srgb<F>(b), alpha};
 }
 
 /// Codes to intensities; sRGB codes have already become intensities.
@@ -66,7 +67,7 @@ HWY_INLINE Vec4<F> intensities(Vec4<F> c, TextureEncoding encoding) {
 }
 
 /// Each lane from its own level: a round for every level that occurs among the live lanes, which
-/// are one or two nearly always. at_level(i) is the colour of all lanes at level i.
+/// are one or two nearly always. at_level(i, lanes) is the colour at level i; other lanes mean nothing.
 template <class F, class AtLevel>
 HWY_INLINE Vec4<F> sample_levels(Int levels, Mask live, const AtLevel& at_level) {
   alignas(64) std::int32_t level_of_lane[kLanes];
@@ -76,7 +77,8 @@ HWY_INLINE Vec4<F> sample_levels(Int levels, Mask live, const AtLevel& at_level)
   while (any(to_do)) {
     const int level = level_of_lane[std::countr_zero(bits_of(to_do))];
     const Mask here = levels == Int(level);
-    const Vec4<F> colour = at_level(level);
+    const Vec4<F> colour = at_level(level, here);
+    if (none(live & !here)) return colour;
     result = {select(here, colour.x, result.x), select(here, colour.y, result.y),
               select(here, colour.z, result.z), select(here, colour.w, result.w)};
     to_do = to_do & !here;

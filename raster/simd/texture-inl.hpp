@@ -17,10 +17,16 @@ HWY_BEFORE_NAMESPACE();
 namespace tuberia {
 namespace HWY_NAMESPACE {
 
-/// uv: kLanes us, then kLanes vs; live: bit i is lane i. rgba: kLanes each, linear intensities.
+/// Where the last register of fragments was sampled. A guess that holds, as nearly all do, lets the
+/// texels be loaded before the level of detail is known; no result depends on it.
+struct LevelGuess {
+  int level = 0;
+};
+
+/// Linear intensities at (u, v); live: bit i is lane i, at least one.
 /// Defined in texture_kernels.cpp for both precisions.
 template <Precision P>
-void sample_lanes(const Texture& texture, const Sampler& sampler, const float* uv, std::uint32_t live, float* rgba);
+Vec4<Float<P>> sample_lanes(const Texture& texture, const Sampler& sampler, Float<P> u, Float<P> v, std::uint32_t live, LevelGuess& guess);
 
 /// The same for any kind of texture and sampler. at: kLanes each of s, t, r and the reference.
 /// Defined in texture_kinds_kernels.cpp for both precisions.
@@ -35,13 +41,13 @@ HWY_INLINE bool is_everyday(const Texture& texture, const Sampler& sampler) {
 /// The texture's colour at uv. Lanes that are not live still lend their coordinates to the quad's
 /// derivatives; their own result means nothing. Of a box the slice r = 0 is read.
 template <Precision P>
+HWY_INLINE Vec4<Float<P>> sample(const Texture& texture, const Sampler& sampler, Vec2<Float<P>> uv, Mask live, LevelGuess& guess) {
+  return sample_lanes(texture, sampler, uv.x, uv.y, bits_of(live), guess);
+}
+template <Precision P>
 HWY_INLINE Vec4<Float<P>> sample(const Texture& texture, const Sampler& sampler, Vec2<Float<P>> uv, Mask live) {
-  using F = Float<P>;
-  alignas(64) float coordinates[2 * kLanes], rgba[4 * kLanes];
-  store(uv.x, coordinates);
-  store(uv.y, coordinates + kLanes);
-  sample_lanes<P>(texture, sampler, coordinates, bits_of(live), rgba);
-  return {load<F>(rgba), load<F>(rgba + kLanes), load<F>(rgba + 2 * kLanes), load<F>(rgba + 3 * kLanes)};
+  LevelGuess guess;
+  return sample(texture, sampler, uv, live, guess);
 }
 
 /// The same at (s, t, r) of any texture, or in the direction (x, y, z) of a cube map; `reference` is

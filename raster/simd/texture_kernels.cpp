@@ -7,97 +7,78 @@
 #define TUBERIA_KERNEL_FILE "raster/simd/texture_kernels.cpp"
 #include "raster/simd/every_instruction_set.hpp"
 
-#include "raster/simd/texel-inl.hpp"
+#include "raster/simd/rectangle-inl.hpp"
 #include "raster/simd/texture-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace tuberia {
 namespace HWY_NAMESPACE {
 
-template <class F>
-HWY_INLINE Vec4<F> texels_at(const Texture& texture, const TextureLevel& level, Int x, Int y) {
-  const auto* codes = reinterpret_cast<const std::int32_t*>(level.texels);
-  return channels<F>(gather(codes, y * Int(level.width) + x), texture.encoding());
-}
-
-/// Texels, or the border's colour outside.
-template <class F>
-HWY_NOINLINE Vec4<F> texels_or_border(const Texture& texture, const TextureLevel& level, const Sampler& sampler,
-                                      const Int& x, const Int& y) {
-  const Int last_x(level.width - 1), last_y(level.height - 1);
-  const Mask outside = (x < Int(0)) | (x > last_x) | (y < Int(0)) | (y > last_y);
-  const Vec4<F> inner = texels_at<F>(texture, level, max(min(x, last_x), Int(0)), max(min(y, last_y), Int(0)));
-  const float colour_scale = texture.encoding() == TextureEncoding::srgb ? 1.0f : 255.0f;
-  const Rgba32F& border = sampler.border;
-  return {select(outside, F(border.r * colour_scale), inner.x), select(outside, F(border.g * colour_scale), inner.y),
-          select(outside, F(border.b * colour_scale), inner.z), select(outside, F(border.a * 255.0f), inner.w)};
-}
-
-template <class F>
-HWY_INLINE Vec4<F> fetch(const Texture& texture, const TextureLevel& level, const Sampler& sampler, Int x, Int y) {
-  if (sampler.wrap_u == Wrap::border || sampler.wrap_v == Wrap::border)
-    return texels_or_border<F>(texture, level, sampler, x, y);
-  return texels_at<F>(texture, level, x, y);
-}
-
-/// One level, by the sampler's texel filter.
-template <class F>
-HWY_NOINLINE Vec4<F> sample_level(const Texture& texture, int level_index, const Sampler& sampler, const Vec2<F>& uv) {
-  const TextureLevel& level = texture.level(level_index);
-  const F x = reduce_coordinate(uv.x, sampler.wrap_u) * static_cast<float>(level.width);
-  const F y = reduce_coordinate(uv.y, sampler.wrap_v) * static_cast<float>(level.height);
-  if (sampler.texels == TexelFilter::nearest) {
-    const Int column = wrap_index(truncate_to_int(floor(x)), level.width, sampler.wrap_u);
-    const Int row = wrap_index(truncate_to_int(floor(y)), level.height, sampler.wrap_v);
-    return intensities(fetch<F>(texture, level, sampler, column, row), texture.encoding());
-  }
-
-  // Texel centres lie at +0.5: the four around (x, y) begin at floor(x - 0.5).
-  const F left = floor(x - 0.5f), top = floor(y - 0.5f);
-  const F weight_x = (x - 0.5f) - left, weight_y = (y - 0.5f) - top;
-  const Int column = truncate_to_int(left), row = truncate_to_int(top);
-  const Int x0 = wrap_index(column, level.width, sampler.wrap_u);
-  const Int x1 = wrap_index(column + Int(1), level.width, sampler.wrap_u);
-  const Int y0 = wrap_index(row, level.height, sampler.wrap_v);
-  const Int y1 = wrap_index(row + Int(1), level.height, sampler.wrap_v);
-  const Vec4<F> upper = mix(fetch<F>(texture, level, sampler, x0, y0), fetch<F>(texture, level, sampler, x1, y0), weight_x);
-  const Vec4<F> lower = mix(fetch<F>(texture, level, sampler, x0, y1), fetch<F>(texture, level, sampler, x1, y1), weight_x);
-  return intensities(mix(upper, lower, weight_y), texture.encoding());
-}
-
-/// log2 of the texels of the base level that one pixel step crosses, the larger of the two
+/// The squared texels of the base level that one pixel step crosses, the larger of the two
 /// directions; one for each quad, from its upper left pixel.                         [rules T3]
 template <class F>
-HWY_INLINE F level_of_detail(const Texture& texture, Vec2<F> uv) {
-  const F width(static_cast<float>(texture.level(0).width)), height(static_cast<float>(texture.level(0).height));
-  const F u = uv.x * width, v = uv.y * height;
-  const F du_dx = difference_x(u), dv_dx = difference_x(v), du_dy = difference_y(u), dv_dy = difference_y(v);
-  const F squared = max(du_dx * du_dx + dv_dx * dv_dx, du_dy * du_dy + dv_dy * dv_dy);
-  return log2(first_of_quad(squared)) * 0.5f;
+HWY_INLINE F squared_step(const Texture& texture, F u, F v) {
+  const F x = u * static_cast<float>(texture.level(0).width), y = v * static_cast<float>(texture.level(0).height);
+  const F dx_dx = first_difference_x(x), dy_dx = first_difference_x(y), dx_dy = first_difference_y(x), dy_dy = first_difference_y(y);
+  return first_of_quad(max(dx_dx * dx_dx + dy_dx * dy_dx, dx_dy * dx_dy + dy_dy * dy_dy));
 }
 
 template <class F>
-HWY_INLINE Vec4<F> filtered(const Texture& texture, const Sampler& sampler, const Vec2<F>& uv, Mask live) {
-  if (sampler.mipmaps == MipmapFilter::none || texture.level_count() == 1) return sample_level(texture, 0, sampler, uv);
-  return mix_levels(texture, sampler, level_of_detail(texture, uv), live,
-                    [&](int level) HWY_ATTR { return sample_level(texture, level, sampler, uv); });
+HWY_INLINE F level_of_detail(F squared) { return log2(squared) * 0.5f; }
+
+/// Any level of detail, lane by lane. u, v: reduced.
+template <class F>
+HWY_NOINLINE Vec4<F> sample_any_levels(const CodeReader& from, F u, F v, F squared, std::uint32_t live) {
+  return mix_levels(from.texture, from.sampler, level_of_detail(squared), mask_of(live),
+                    [&](int level, Mask here) HWY_ATTR { return sample_level(from, level, u, v, here & mask_of(live)); });
+}
+
+/// The level of all live lanes, for `linear` the finer one of two; -1 where they differ or where it does
+/// not follow from the exponent of the squared step, which comes long before its logarithm.
+template <class F>
+HWY_INLINE int common_level(const CodeReader& from, F squared_at_least_1, std::uint32_t live, LevelGuess& guess) {
+  const int last = from.texture.level_count() - 1;
+  const bool nearest = from.sampler.mipmaps == MipmapFilter::nearest;
+  if (live == 0 || from.sampler.lod_bias != 0 || from.sampler.min_lod > 0 || from.sampler.max_lod < static_cast<float>(last)) return -1;
+  // Levels begin at 4^i, nearest ones at 2 * 4^i: with the exponent's last bit 1 or 0, being biased by 127.
+  // The logarithm's rounding may move a step that is within 2^-15 of that place to the other level.
+  constexpr std::int32_t kExponentOne = 1 << 23, kBias = 127 * kExponentOne, kDoubt = 1 << 8;
+  const Int shifted = bits_of(squared_at_least_1) - Int(nearest ? kBias - kExponentOne : kBias);
+  const Int within_level = (nearest ? shifted : shifted + Int(kDoubt)) & Int(2 * kExponentOne - 1);
+  const Int level = select(within_level < Int(kDoubt), Int(-1), min(shift_right<24>(shifted), Int(last)));
+
+  const auto is_of_all = [&](int number) HWY_ATTR { return none(!(level == Int(number)) & mask_of(live)); };
+  const int guessed = guess.level;
+  if (is_of_all(guessed)) return guessed;
+  guess.level = lane(level, std::countr_zero(live));
+  return is_of_all(guess.level) ? guess.level : -1;
+}
+
+template <class F>
+HWY_INLINE Vec4<F> filtered(const CodeReader& from, F u, F v, std::uint32_t live, LevelGuess& guess) {
+  const auto& [texture, sampler] = from;
+  const F reduced_u = reduce_coordinate(u, sampler.wrap_u), reduced_v = reduce_coordinate(v, sampler.wrap_v);
+  if (sampler.mipmaps == MipmapFilter::none || texture.level_count() == 1) return sample_level(from, 0, reduced_u, reduced_v, mask_of(live));
+
+  const F squared = squared_step(texture, u, v), squared_at_least_1 = select(squared > 1.0f, squared, F(1.0f));
+  const int level = common_level(from, squared_at_least_1, live, guess);
+  if (level < 0) return sample_any_levels(from, reduced_u, reduced_v, squared, live);
+  const Vec4<F> finer = sample_level(from, level, reduced_u, reduced_v, mask_of(live));
+  if (sampler.mipmaps == MipmapFilter::nearest || level == texture.level_count() - 1) return finer;
+  if (none((squared > 1.0f) & mask_of(live))) return finer;
+  const F weight = level_of_detail(squared_at_least_1) - static_cast<float>(level);
+  return mix(finer, sample_level(from, level + 1, reduced_u, reduced_v, mask_of(live)), weight);
 }
 
 template <Precision P>
-void sample_lanes(const Texture& texture, const Sampler& sampler, const float* uv, std::uint32_t live, float* rgba) {
+Vec4<Float<P>> sample_lanes(const Texture& texture, const Sampler& sampler, Float<P> u, Float<P> v, std::uint32_t live, LevelGuess& guess) {
   using F = Float<P>;
-  const Vec2<F> coordinates{load<F>(uv), load<F>(uv + kLanes)};
-  const Vec4<F> colour = is_everyday(texture, sampler)
-                             ? filtered(texture, sampler, coordinates, mask_of(live))
-                             : sample(texture, sampler, {coordinates.x, coordinates.y, F(0.0f)}, F(0.0f), mask_of(live));
-  store(colour.x, rgba);
-  store(colour.y, rgba + kLanes);
-  store(colour.z, rgba + 2 * kLanes);
-  store(colour.w, rgba + 3 * kLanes);
+  if (is_everyday(texture, sampler)) return filtered<F>({texture, sampler}, u, v, live, guess);
+  return sample(texture, sampler, {u, v, F(0.0f)}, F(0.0f), mask_of(live));
 }
 
-template void sample_lanes<Precision::exact>(const Texture&, const Sampler&, const float*, std::uint32_t, float*);
-template void sample_lanes<Precision::fast>(const Texture&, const Sampler&, const float*, std::uint32_t, float*);
+template Vec4<Float<Precision::exact>> sample_lanes(const Texture&, const Sampler&, Float<Precision::exact>, Float<Precision::exact>, std::uint32_t, LevelGuess&);
+template Vec4<Float<Precision::fast>> sample_lanes(const Texture&, const Sampler&, Float<Precision::fast>, Float<Precision::fast>, std::uint32_t, LevelGuess&);
 
 }  // namespace HWY_NAMESPACE
 }  // namespace tuberia

@@ -27,7 +27,7 @@ template <class F>
 HWY_NOINLINE Vec4<F> sample_mixed(const Texture& texture, const Sampler& sampler, const Place<F>& place, const F& level_of_detail, const Mask& live) {
   if (sampler.mipmaps == MipmapFilter::none || texture.level_count() == 1) return sample_one_level(texture, 0, sampler, place);
   return mix_levels(texture, sampler, level_of_detail, live,
-                    [&](int level) HWY_ATTR { return sample_one_level(texture, level, sampler, place); });
+                    [&](int level, Mask) HWY_ATTR { return sample_one_level(texture, level, sampler, place); });
 }
 
 /// The steps to the next pixels in texels of level 0: for a cube map those of the direction, projected

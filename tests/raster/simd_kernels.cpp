@@ -48,8 +48,9 @@ struct ArrayKernels {
     for (int lane = 0; lane < kLanes; ++lane) out[lane] = {channels[0][lane], channels[1][lane], channels[2][lane], channels[3][lane]};
   }
   static void sample_of(const Texture& texture, const Sampler& sampler, const float* u, const float* v, int count, Rgba32F* out) {
+    LevelGuess guess;
     for (int i = 0; i < count; i += kLanes)
-      store_colours(sample(texture, sampler, Vec2<F>{load<F>(u + i), load<F>(v + i)}, all_lanes()), out + i);
+      store_colours(sample(texture, sampler, Vec2<F>{load<F>(u + i), load<F>(v + i)}, all_lanes(), guess), out + i);
   }
   static void sample_any_of(const Texture& texture, const Sampler& sampler, const float* const strq[4], int count, Rgba32F* out) {
     for (int i = 0; i < count; i += kLanes) {
