@@ -9,6 +9,7 @@
 #define TUBERIA_PIPELINE_FRAGMENT_CHAIN_INL
 #endif
 
+#include "pipeline/colour_blocks-inl.hpp"
 #include "pipeline/fragment-inl.hpp"
 #include "pipeline/fragment_program.hpp"
 #include "raster/simd/blend-inl.hpp"
@@ -24,13 +25,14 @@ class FragmentChain {
  public:
   HWY_INLINE FragmentChain(const FragmentJob& job, const Tile& tile, TileVisibility& visibility, const ChunkView& chunk)
       : job_(job), output_(job.output), tile_(tile), chunk_(chunk), hidden_(job.output, job.order, tile, visibility),
-        uniforms_(*static_cast<const typename Program::Uniforms*>(job.uniforms)) {}
+        uniforms_(*static_cast<const typename Program::Uniforms*>(job.uniforms)), passes_all_(hidden_.tests_nothing()) {}
 
   HWY_INLINE void begin(const ScreenTriangle& triangle) {
     triangle_ = &triangle;
     if (!shades()) return;
     attributes_.load(triangle, chunk_, job_.flat_shading);
     if constexpr (kOneColour) begin_one_colour();
+    if constexpr (Program::passes_colour_on) begin_blocks(triangle);
   }
 
   /// Whether all of a small triangle is hidden.
@@ -44,6 +46,7 @@ class FragmentChain {
     walk.depth_bounds(0, 0, kTileSize - 1, lowest, highest);
     const auto outlook = hidden_.outlook(lowest, highest);
     asks_blocks_ = outlook == HiddenSurfaces<F>::Outlook::mixed;
+    passes_all_ |= outlook == HiddenSurfaces<F>::Outlook::clear;
     return outlook == HiddenSurfaces<F>::Outlook::hidden;
   }
 
@@ -59,7 +62,12 @@ class FragmentChain {
   HWY_INLINE void add(const ScreenTriangle& triangle, TriangleWalk<F>& walk) {
     if (!walk.begin(triangle, tile_, output_.clip)) return;
     if (walk.is_small()) return walk.cover_small(tile_, groups_, *this);
-    if (walk.place(tile_) && !hides_large(walk)) walk.cover_blocks(groups_, *this);
+    if (!walk.place(tile_) || hides_large(walk)) return;
+    flush();  // what is pending comes before the blocks that are taken whole
+    begin(triangle);
+    walk.cover_blocks(groups_, *this);
+    flush();
+    passes_all_ = hidden_.tests_nothing();
   }
 
   /// Draws what has been covered.
@@ -71,19 +79,35 @@ class FragmentChain {
     groups_.clear();
   }
 
+  /// Draws a block whose pixels are all covered, if all pass and there is a short way.
+  HWY_INLINE bool takes_block(const TriangleWalk<F>& walk, int x, int y) {
+    if (!passes_all_ || !shades()) return false;
+    if constexpr (kOneColour) {
+      if (!one_colour_.is_ready()) return false;
+      one_colour_.write_block(output_.colour_format, pixels(index_in_tile(x, y)));
+      return true;
+    } else if constexpr (Program::passes_colour_on) {
+      if (!lays_blocks_ || !walk.is_near()) return false;
+      colour_blocks_.lay_over(walk, x, y, pixels(index_in_tile(x, y)));
+      return true;
+    } else {
+      return false;
+    }
+  }
+
   /// One register of covered fragments through the rest of the pipeline.
   HWY_INLINE void operator()(const FragmentGroup<F>& group) {
     Mask live = group.covered;
 
     // 8 early: unless the program may discard, a fragment that will be hidden need not be shaded.
     if constexpr (!Program::may_discard) {
-      live = hidden_.test(live, interpolated_depth(*triangle_, group.weight), group.index);
+      if (!passes_all_) live = hidden_.test(live, interpolated_depth(*triangle_, group.weight), group.index);
       if (none(live) || !shades()) return;
     }
 
     // 7 FragmentShading.
     if constexpr (kOneColour) {
-      if (one_colour_.is_ready()) return one_colour_.write(live, output_.colour_format, pixels(group));
+      if (one_colour_.is_ready()) return one_colour_.write(live, output_.colour_format, pixels(group.index));
     }
     const Vec4<F> colour = shade(group, live);
 
@@ -117,13 +141,15 @@ class FragmentChain {
 
   HWY_INLINE bool shades() const { return Program::may_discard || output_.blend.write; }
 
+  HWY_INLINE void begin_blocks(const ScreenTriangle& triangle) {
+    lays_blocks_ = passes_all_ && output_.blend.mode == BlendMode::source_over && output_.colour_format == ColourFormat::rgba8;
+    if (lays_blocks_) colour_blocks_.begin(triangle, attributes_.value, attributes_.delta1, attributes_.delta2);
+  }
   HWY_INLINE void begin_one_colour() {
     Mask live = all_lanes();
     one_colour_.begin(shade(FragmentGroup<F>{0, live, {F(0.0f), F(0.0f)}}, live), output_);
   }
-  HWY_INLINE std::uint32_t* pixels(const FragmentGroup<F>& group) const {
-    return static_cast<std::uint32_t*>(tile_.colour) + group.index;
-  }
+  HWY_INLINE std::uint32_t* pixels(int index) const { return static_cast<std::uint32_t*>(tile_.colour) + index; }
 
   const FragmentJob& job_;
   const OutputState& output_;
@@ -134,8 +160,9 @@ class FragmentChain {
   const ScreenTriangle* triangle_ = nullptr;
   TriangleAttributes<Program> attributes_;
   LevelGuess level_guess_;
-  bool asks_blocks_ = false;
-  OneColour<F> one_colour_;
+  bool asks_blocks_ = false, passes_all_ = false, lays_blocks_ = false;
+  OneColour<F> one_colour_;        // of programs where nothing varies
+  ColourBlocks<F> colour_blocks_;  // of programs that pass the vertices' colours on
   CoveredGroups<F> groups_;
 };
 

@@ -37,6 +37,8 @@ constexpr bool is_order_free(const OutputState& s) noexcept {
 inline constexpr int kBlocksPerTile = kTilePixels / kBlockPixels;
 
 struct TileVisibility {
+  static constexpr std::int32_t kNotLookedFor = std::numeric_limits<std::int32_t>::min();  // less than any key
+
   std::uint64_t draw = 0;                        // the draw that the rest belongs to
   // Of each block at least the largest key of a stored depth: see HiddenSurfaces. Keys only get smaller
   // while a draw lasts, so an old one is never wrong, only a reason to look again, and so are:
@@ -44,12 +46,14 @@ struct TileVisibility {
   std::uint8_t doubts[kBlocksPerTile];           // registers written and questions answered no since the last look
   bool is_summarized = false;                    // the two below are up to date
   std::int32_t farthest_of_all = 0, nearest_of_all = 0;  // the largest and the smallest of `farthest`
+  std::int32_t nearest_pixel = kNotLookedFor;    // the smallest key of any pixel, in draws that write no depth
   std::uint64_t written[kBlocksPerTile];         // last_first: bit i of word b: pixel i of block b
 
   /// Nothing is known, nothing written.
   void begin(std::uint64_t new_draw) noexcept {
     draw = new_draw;
     is_summarized = false;
+    nearest_pixel = kNotLookedFor;
     for (int block = 0; block < kBlocksPerTile; ++block) {
       farthest[block] = std::numeric_limits<std::int32_t>::max();
       doubts[block] = 1;

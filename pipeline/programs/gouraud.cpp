@@ -8,6 +8,7 @@ TUBERIA_PROGRAM_BEGIN
 struct Gouraud : ProgramBase {
   using Uniforms = NoUniforms;
   static constexpr Attributes interpolated = Attributes::colour;
+  static constexpr bool passes_colour_on = true;
 
   template <class Fragment>
   static HWY_INLINE auto shade(Fragment& in, const Uniforms&) {

@@ -75,11 +75,11 @@ HWY_INLINE Vec4<F> blend(Vec4<F> source, Vec4<F> pixel, BlendMode mode) {
   return mode == BlendMode::additive ? source + pixel : over(layer_of(source), pixel);
 }
 
-/// Lays one colour over the live pixels of a group; formats of 8 bits a channel. What comes of a layer
-/// and a pixel in [0, 1] is below 1.000001 and not below 0, which its code does not show.
+/// The codes of a layer over pixels with these codes; formats of 8 bits a channel. What comes of a
+/// layer and a pixel in [0, 1] is below 1.000001 and not below 0, which its code does not show.
 template <class F>
-HWY_INLINE void lay_over(Mask live, const Layer<F>& layer, ColourFormat format, std::uint32_t* pixels) {
-  store_where(live, encode(over(layer, decode<F>(load(pixels), format)), format), pixels);
+HWY_INLINE Int over(const Layer<F>& layer, Int codes, ColourFormat format) {
+  return encode(over(layer, decode<F>(codes, format)), format);
 }
 
 /// Blends and stores the live fragments at `index` of the tile's colours.
@@ -101,12 +101,20 @@ HWY_INLINE void write_colour(Mask live, Vec4<F> colour, const OutputState& state
 
   std::uint32_t* pixels = static_cast<std::uint32_t*>(tile_colour) + index;
   colour = saturate(colour);
-  if (state.blend.mode == BlendMode::source_over) return lay_over(live, layer_of(colour), state.colour_format, pixels);
+  if (state.blend.mode == BlendMode::source_over)
+    return store_where(live, over(layer_of(colour), load(pixels), state.colour_format), pixels);
   if (state.blend.mode == BlendMode::additive) {
     const Vec4<F> sum = colour + decode<F>(load(pixels), state.colour_format);
     colour = {min(sum.x, 1.0f), min(sum.y, 1.0f), min(sum.z, 1.0f), min(sum.w, 1.0f)};
   }
   store_where(live, encode(colour, state.colour_format), pixels);
+}
+
+/// The same for the pixels of a block. A function of its own, so that its loop has all registers.
+template <ColourFormat kFormat, class F>
+HWY_NOINLINE void lay_over_block(const Layer<F>& layer, std::uint32_t* pixels) {
+  const Layer<F> same = layer;
+  for (int i = 0; i < kBlockPixels; i += kLanes) store(over(same, load(pixels + i), kFormat), pixels + i);
 }
 
 /// write_colour for fragments that all have one colour, as far as that can be done beforehand.
@@ -123,11 +131,24 @@ class OneColour {
   /// Whether write() may be called instead of write_colour().
   HWY_INLINE bool is_ready() const { return way_ != Way::none; }
   HWY_INLINE void write(Mask live, ColourFormat format, std::uint32_t* pixels) const {
-    if (way_ == Way::replace) store_where(live, pixel_, pixels);
-    else lay_over(live, layer_, format, pixels);
+    store_where(live, codes(format, pixels), pixels);
+  }
+  /// The same for a whole block.
+  HWY_INLINE void write_block(ColourFormat format, std::uint32_t* pixels) const {
+    if (way_ == Way::replace) {
+      for (int i = 0; i < kBlockPixels; i += kLanes) store(pixel_, pixels + i);
+    } else if (format == ColourFormat::rgba8) {
+      lay_over_block<ColourFormat::rgba8>(layer_, pixels);
+    } else {
+      lay_over_block<ColourFormat::srgb8>(layer_, pixels);
+    }
   }
 
  private:
+  HWY_INLINE Int codes(ColourFormat format, const std::uint32_t* pixels) const {
+    return way_ == Way::replace ? pixel_ : over(layer_, load(pixels), format);
+  }
+
   enum class Way { none, replace, lay_over };
   Way way_ = Way::none;
   Int pixel_;

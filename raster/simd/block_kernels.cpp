@@ -44,6 +44,7 @@ struct BlockWriter {
   int number = -1;  // of the block in the tile
 
   HWY_INLINE bool hides(const TriangleWalk<F>&, int, int) const { return false; }
+  HWY_INLINE bool takes_block(const TriangleWalk<F>&, int, int) const { return false; }
 
   HWY_INLINE void flush() {
     for (int i = 0; i < groups.count(); ++i) write(groups.group(i));

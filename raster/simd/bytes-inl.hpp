@@ -19,8 +19,8 @@ HWY_INLINE F scaled_bits(Int a, std::int32_t mask, float scale) {
 #if HWY_TARGET == HWY_AVX3
   // Bits pasted below the exponent of 2^23 are a float that is so much too large. Taken off in the
   // product's own rounding, that costs nothing: 2^23 times a float is exact.
-  const F pasted = float_of_bits<F>(Int(hn::OrAnd(Int(0x4b000000).v, a.v, Int(mask).v)));
-  return F(hn::MulAdd(pasted.v, F(scale).v, F(-0x1p23f * scale).v));
+  const auto pasted = _mm512_ternarylogic_epi32(a.v.raw, Int(mask).v.raw, Int(0x4b000000).v.raw, 0xea);  // a & mask | 0x4b..
+  return F(hn::MulAdd(float_of_bits<F>(Int(hn::Vec<IntTag>{pasted})).v, F(scale).v, F(-0x1p23f * scale).v));
 #else
   return to_float<F>(a & Int(mask)) * scale;
 #endif
@@ -50,7 +50,7 @@ HWY_INLINE Int rounded_at(Float<P> a) {
   return bits_of(Float<P>(hn::Vec<FloatTag>{_mm512_add_round_ps(a.v.raw, Float<P>(kPlace).v.raw, _MM_FROUND_TO_ZERO | _MM_FROUND_NO_EXC)}));
 }
 HWY_INLINE Int select_bits(std::int32_t mask, Int yes, Int no) {
-  return Int(hn::Vec<IntTag>{_mm512_ternarylogic_epi32(Int(mask).v.raw, yes.v.raw, no.v.raw, 0xca)});
+  return Int(hn::Vec<IntTag>{_mm512_ternarylogic_epi32(yes.v.raw, no.v.raw, Int(mask).v.raw, 0xe4)});
 }
 #endif
 

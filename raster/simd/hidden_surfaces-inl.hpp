@@ -50,13 +50,16 @@ class HiddenSurfaces {
   /// Whether no fragment of this block can pass whose depth lies between these.
   HWY_INLINE bool hides(int block, float lowest, float highest) { return hides(block, nearest_key(lowest, highest)); }
 
-  /// What a triangle that has much of the tile can expect: that all its blocks hide it, some, or none.
-  enum class Outlook { hidden, mixed, open };
+  /// What a triangle that has much of the tile can expect: that all its blocks hide it, some, or none;
+  /// clear: that moreover every fragment passes and leaves the depths as they are.
+  enum class Outlook { hidden, mixed, open, clear };
   HWY_INLINE Outlook outlook(float lowest, float highest) {
     if (!compares_by_size_) return first_wins_ ? Outlook::mixed : Outlook::open;
     if (!visibility_.is_summarized) summarize();
     if (nearest_key(lowest, highest) > visibility_.farthest_of_all) return Outlook::hidden;
-    const bool some_hide = last_key(lowest, highest) > visibility_.nearest_of_all;
+    const std::int32_t last = last_key(lowest, highest);
+    if (!output_.depth.write && !is_reversed_ && last <= visibility_.nearest_pixel) return Outlook::clear;
+    const bool some_hide = last > visibility_.nearest_of_all;
     return some_hide || first_wins_ ? Outlook::mixed : Outlook::open;
   }
 
@@ -72,6 +75,8 @@ class HiddenSurfaces {
     return true;
   }
 
+  /// Whether every fragment passes and leaves the depths as they are, wherever it lies.
+  HWY_INLINE bool tests_nothing() const { return !is_reversed_ && output_.depth == kDepthOff; }
   /// Whether anything can be hidden at all.
   HWY_INLINE bool is_of_use() const { return compares_by_size_ || first_wins_; }
 
@@ -132,7 +137,15 @@ class HiddenSurfaces {
     }
     visibility_.farthest_of_all = largest;
     visibility_.nearest_of_all = smallest;
+    if (!output_.depth.write && visibility_.nearest_pixel == TileVisibility::kNotLookedFor) find_nearest_pixel();
     visibility_.is_summarized = true;
+  }
+
+  HWY_INLINE void find_nearest_pixel() {
+    const Int flip(prefers_greater_ ? -1 : 0);
+    Int largest = ~(load(tile_.depth) ^ flip);
+    for (int i = kLanes; i < kTilePixels; i += kLanes) largest = max(largest, ~(load(tile_.depth + i) ^ flip));
+    visibility_.nearest_pixel = ~largest_lane(largest);
   }
 
   /// The smallest key of the codes of depths between these; one more where a tie hides. The least of

@@ -132,6 +132,22 @@ class TriangleWalk {
     return true;
   }
 
+  /// The edges that weights come from, at the first group of a block of a near triangle, and how they grow.
+  struct BlockEdges {
+    Int first[2], per_column[2], per_row[2];
+  };
+  HWY_INLINE BlockEdges edges_of_block(int x, int y) const {
+    BlockEdges edges;
+    for (int i = 0; i < 2; ++i) {
+      edges.first[i] = Int(at_tile_[i + 1] + per_x_[i + 1] * x + per_y_[i + 1] * y) + edge_lanes_[i + 1];
+      edges.per_column[i] = Int(per_x_[i + 1] * kGroupWidth);
+      edges.per_row[i] = Int(per_y_[i + 1] * kGroupHeight);
+    }
+    return edges;
+  }
+  HWY_INLINE F near_weight(int i, Int edge) const { return mul_add(to_float<F>(edge), scale_, offset_[i]); }
+
+  HWY_INLINE bool is_near() const { return is_near_; }
   /// Bounds that leave at least half of the tile.
   HWY_INLINE bool has_much_of_tile() const { return (right_ - left_ + 1) * (bottom_ - top_ + 1) >= kTilePixels / 2; }
 
@@ -177,13 +193,15 @@ class TriangleWalk {
   }
 
   /// The same of any triangle, block by block in the order of memory, since whole blocks are outside or
-  /// inside; without blocks for which visit.hides(*this, x, y).
+  /// inside; without blocks for which visit.hides(*this, x, y) or, when all their pixels are covered,
+  /// visit.takes_block(*this, x, y).
   template <class Visit>
   HWY_INLINE void cover_blocks(CoveredGroups<F>& list, Visit& visit) const {
     for (int y = top_ & ~(kBlockSize - 1); y <= bottom_; y += kBlockSize)
       for (int x = left_ & ~(kBlockSize - 1); x <= right_; x += kBlockSize) {
         bool inside = false;
         if (is_outside(x, y, inside) || visit.hides(*this, x, y)) continue;
+        if (inside && !is_cut_ && visit.takes_block(*this, x, y)) continue;
         const PixelRect part{std::max(x, left_), std::max(y, top_), std::min(x + kBlockSize - 1, right_),
                              std::min(y + kBlockSize - 1, bottom_)};
         cover(part, inside, list);

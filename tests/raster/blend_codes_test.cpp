@@ -127,7 +127,8 @@ TEST_CASE("blend codes: every float within a thousand of a code's border is roun
         }
         block_kernels(set, precision).blend(test::colour_block(colours), state, tile);
         for (std::size_t i = 0; i < colours.size(); ++i) {
-          const Rgba8 stored = static_cast<const Rgba8*>(tile.colour)[i], expected = blended_pixel(colours[i], {0, 0, 0, 0}, BlendMode::additive, ColourFormat::rgba8);
+          const Rgba8 stored = static_cast<const Rgba8*>(tile.colour)[i];
+          const Rgba8 expected = blended_pixel(colours[i], {0, 0, 0, 0}, BlendMode::additive, ColourFormat::rgba8);
           if (stored != expected) FAIL("intensity " << std::hexfloat << colours[i].r << " and the next three");
         }
       }
