@@ -26,6 +26,7 @@ class GeometryStages {
   template <class Tap>
   void operator()(Chunk& chunk, const RenderTarget& target, const Tap& tap) const {
     fetch(chunk);
+    tap.fetched(chunk);
     vertex_transform_.positions(draw_.mesh, chunk.vertices);      // 1 object -> clip space
     tap.after(Stage::vertex_transform, chunk);
     assemble(chunk);                                              // 2 vertices -> triangles, lines or points

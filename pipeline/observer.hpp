@@ -71,13 +71,19 @@ class Observers : public Observer {
 /// What the stages are compiled with when nobody watches: nothing.
 struct NoTap {
   static constexpr bool kWatches = false;
+  static void begin_batch(std::int64_t, std::int64_t, std::int64_t, int) noexcept {}
+  static void begin(const Chunk&) noexcept {}
+  static void fetched(const Chunk&) noexcept {}
+  static void begin_tile(std::int64_t) noexcept {}
+  static void end_tile(std::int64_t) noexcept {}
   static void after(Stage, const Chunk&) noexcept {}
   static void before(Stage, const Chunk&, const FragmentBlock&, const Tile&) noexcept {}
   static void after(Stage, const Chunk&, const FragmentBlock&, const Tile&) noexcept {}
 };
 
 /// Passes everything on to an observer.
-struct ObserverTap {
+struct ObserverTap : NoTap {
+  explicit ObserverTap(Observer& observer_told) noexcept : observer(observer_told) {}
   static constexpr bool kWatches = true;
   Observer& observer;
   void after(Stage stage, const Chunk& chunk) const { observer.after(stage, chunk); }

@@ -39,6 +39,14 @@ Result<DrawStatistics> Pipeline::draw(RenderTarget& target, const DrawCall& draw
   return statistics;
 }
 
+Result<DrawStatistics> Pipeline::draw(RenderTarget& target, const DrawCall& draw_call, DrawTimes& times) {
+  const auto begin = std::chrono::steady_clock::now();
+  const Result<AcceptedDraw> accepted = validate(draw_call, target, workers_);
+  times.validation += std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::steady_clock::now() - begin).count();
+  if (!accepted) return accepted.error();
+  return run(target, draw_call, *accepted, workers_, ClockTap(times));
+}
+
 template <class Tap>
 DrawStatistics Pipeline::run(RenderTarget& target, const DrawCall& draw_call, const AcceptedDraw& accepted, Workers& workers, const Tap& tap) {
   const auto [isa, precision] = std::pair{options_.instruction_set, options_.precision};
@@ -63,9 +71,11 @@ DrawStatistics Pipeline::run(RenderTarget& target, const DrawCall& draw_call, co
     const std::int64_t in_flight = std::min(primitives - first, per_batch);
     const std::int64_t chunk_count = (in_flight + per_chunk - 1) / per_chunk;
     while (static_cast<std::int64_t>(chunks_.size()) < chunk_count) chunks_.push_back(std::make_unique<Chunk>());
+    tap.begin_batch(first, per_chunk, chunk_count, target.tile_count());
     parallel_for(workers, chunk_count, [&](std::int64_t i, int) {
       Chunk& chunk = *chunks_[static_cast<std::size_t>(i)];
       chunk.range = {first + i * per_chunk, static_cast<int>(std::min(in_flight - i * per_chunk, per_chunk))};
+      tap.begin(chunk);
       geometry_stages(chunk, target, tap);
     });
     const std::span chunks(chunks_.data(), static_cast<std::size_t>(chunk_count));
@@ -75,6 +85,7 @@ DrawStatistics Pipeline::run(RenderTarget& target, const DrawCall& draw_call, co
     // submission, or where it makes no difference the other way round. Everyday draws have the
     // fragment stages fused around the program, others run them one by one.
     parallel_for(workers, target.tile_count(), [&](std::int64_t number, int worker) {
+      tap.begin_tile(number);
       const Tile tile = target.tile(static_cast<int>(number));
       std::vector<FragmentBlock>& blocks = blocks_[static_cast<std::size_t>(worker)];
       for (std::int64_t i = 0; i < chunk_count; ++i) {
@@ -84,6 +95,7 @@ DrawStatistics Pipeline::run(RenderTarget& target, const DrawCall& draw_call, co
         if (fused) program.draw_tile(job, tile, visibility_.of_tile(number), chunk.view(), listed);
         else fragment_stages(chunk, listed, tile, blocks, counters[static_cast<std::size_t>(number)], tap);
       }
+      tap.end_tile(number);
     });
     for (const auto& chunk : chunks) statistics += chunk->statistics;
   }

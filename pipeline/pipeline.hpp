@@ -8,6 +8,7 @@
 #include "base/result.hpp"
 #include "pipeline/chunk.hpp"
 #include "pipeline/draw_call.hpp"
+#include "pipeline/draw_times.hpp"
 #include "pipeline/observer.hpp"
 #include "raster/render_target.hpp"
 
@@ -30,6 +31,10 @@ class Pipeline {
 
   /// The same on one thread, telling an observer after each stage; the same bits.
   Result<DrawStatistics> draw(RenderTarget& target, const DrawCall& draw_call, Observer& observer);
+
+  /// The same, adding what its parts took to `times`: on the threads and through the loops that it
+  /// would take without.
+  Result<DrawStatistics> draw(RenderTarget& target, const DrawCall& draw_call, DrawTimes& times);
 
   /// Linear colour, and depth in [0, 1].
   void clear(RenderTarget& target, const Rgba32F& colour, float depth = 1);
