@@ -145,6 +145,7 @@ Result<Nothing> OsmesaPeer::prepare(const Workload& workload) {
   const int height = workload.depth_only ? kDepthOnlySize : kHeight;
   if (workload.width_pixels != width || workload.height_pixels != height)
     return Error{workload.name + " has a size that was not prepared for"};
+  if (workload.texture_size_texels != kTextureSizeTexels) return Error{workload.name + " has textures that were not prepared"};
   glBindFramebuffer(GL_FRAMEBUFFER, workload.depth_only ? depth_framebuffer_ : colour_framebuffer_);
   glViewport(0, 0, width, height);
 

@@ -11,7 +11,6 @@ namespace {
 constexpr double kDegrees = std::numbers::pi / 180.0;
 constexpr const char* kBunnyFile = "/usr/share/glmark2/models/bunny.obj";
 constexpr int kFillLayers = 16, kTextureLayers = 8;
-constexpr int kTextureSize = 1024;
 
 using MakeWorkload = Result<Workload> (*)();
 struct Recipe {
@@ -98,8 +97,8 @@ constexpr Recipe kRecipes[] = {
 
 }  // namespace
 
-std::vector<Image<Rgba8>> workload_textures() {
-  return {noisy_checkerboard(kTextureSize, 0), noisy_checkerboard(kTextureSize, 777)};
+std::vector<Image<Rgba8>> workload_textures(int size_texels) {
+  return {noisy_checkerboard(size_texels, 0), noisy_checkerboard(size_texels, 777)};
 }
 
 std::vector<std::string> workload_names() {

@@ -25,6 +25,8 @@ enum class Filter {
   linear_mipmap_linear,    // linear / trilinear
 };
 
+inline constexpr int kTextureSizeTexels = 1024;  // each way
+
 /// One kind of frame: clear colour to (0, 0, 0, 0) and depth to 1, then draw the mesh (if any).
 /// Clip volume -w <= z <= w; depth passes when less; counter-clockwise is front.
 /// Colour of a fragment: lit, Gouraud, by kLighting when `lit`; white when only textured; else the
@@ -42,6 +44,7 @@ struct Workload {
   bool specular = false;     // only read when lit
   bool depth_only = false;   // no colour target
   int width_pixels = 1920, height_pixels = 1080;
+  int texture_size_texels = kTextureSizeTexels;
 };
 
 /// The one light and the one material of the lit workloads, as OpenGL 1.x computes them at each
@@ -56,8 +59,8 @@ struct Lighting {
 };
 inline constexpr Lighting kLighting{};
 
-/// The two textures of the textured workloads, 1024 x 1024, linear codes; make mipmaps by box.
-std::vector<Image<Rgba8>> workload_textures();
+/// The two textures of the textured workloads, square, linear codes; make mipmaps by box.
+std::vector<Image<Rgba8>> workload_textures(int size_texels = kTextureSizeTexels);
 
 /// All workloads, in the order in which they are run.
 std::vector<std::string> workload_names();

@@ -1,0 +1,37 @@
+#pragma once
+// Numbers made of measurements.
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace tuberia::bench {
+
+/// Of at least one value; the mean of the two middle ones when their number is even.
+double median(std::vector<double> values);
+
+/// Of at least one value, all positive.
+double geometric_mean(std::span<const double> values);
+
+/// One measured point of a curve; both positive.
+struct CurvePoint {
+  double x = 0, y = 0;
+};
+
+/// y = factor * x^exponent, by least squares on the logarithms.
+struct PowerLaw {
+  double exponent = 0, factor = 0;
+  std::optional<double> standard_error{};  // of the exponent; two points alone have none
+};
+
+/// Nothing for fewer than two points, or when all have one x.
+std::optional<PowerLaw> fit_power_law(std::span<const CurvePoint> points);
+
+/// The law of the upper half of a curve's points, at least three of them if there are as many: at
+/// the lower end a fixed cost lies over it and makes every curve look flat.
+std::optional<PowerLaw> fit_upper_half(std::span<const CurvePoint> points);
+
+/// From this on an exponent counts as more than proportional; below, as noise.
+inline constexpr double kSuperlinear = 1.05;
+
+}  // namespace tuberia::bench
