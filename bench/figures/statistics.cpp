@@ -2,18 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/assertion.hpp"
 
 namespace tuberia::bench {
 
-double median(std::vector<double> values) {
-  TUBERIA_ASSERT(!values.empty(), "the median of nothing");
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  if (values.size() % 2 == 1) return *middle;
-  return 0.5 * (*middle + *std::max_element(values.begin(), middle));
+double quantile(std::vector<double> values, double part) {
+  TUBERIA_ASSERT(!values.empty(), "the quantile of nothing");
+  std::sort(values.begin(), values.end());
+  const double place = part * static_cast<double>(values.size() - 1);
+  const auto below = static_cast<std::size_t>(place);
+  const std::size_t above = std::min(below + 1, values.size() - 1);
+  return values[below] + (place - static_cast<double>(below)) * (values[above] - values[below]);
 }
+
+double median(std::vector<double> values) { return quantile(std::move(values), 0.5); }
 
 double geometric_mean(std::span<const double> values) {
   TUBERIA_ASSERT(!values.empty(), "the geometric mean of nothing");

@@ -10,6 +10,9 @@ namespace tuberia::bench {
 /// Of at least one value; the mean of the two middle ones when their number is even.
 double median(std::vector<double> values);
 
+/// The value below which this part (0..1) of at least one value lies, between neighbours by their distance.
+double quantile(std::vector<double> values, double part);
+
 /// Of at least one value, all positive.
 double geometric_mean(std::span<const double> values);
 

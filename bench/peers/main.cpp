@@ -1,17 +1,17 @@
 // Compares Tuberia with llvmpipe on the same frames: script/bench peers.
 
 #include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 
 #include "bench/peers/comparison.hpp"
 #include "bench/peers/peer.hpp"
+#include "bench/peers/pinning.hpp"
+#include "bench/peers/report.hpp"
 #include "image/compare.hpp"
 #include "image/write_image.hpp"
 
@@ -21,9 +21,10 @@ namespace {
 
 struct Options {
   std::vector<std::string> prefixes;
-  int threads = 2;
+  int threads = 2, rounds = 7;
   double seconds = 0.5;
-  std::string json_file, dump_folder, instruction_set, precision = "fast";
+  std::string json_file, dump_folder, instruction_set, precision = "exact";
+  Requirement requirement;
 };
 
 int fail(const std::string& message) {
@@ -31,18 +32,28 @@ int fail(const std::string& message) {
   return 1;
 }
 
-// Fills `options`; returns whether to go on, with the exit status in `status` if not.
-bool parse(int argc, char** argv, Options& options, int& status) {
-  CLI::App app{"Times Tuberia and llvmpipe on the same frames, in turns.", "tuberia_peers"};
+void add_options(CLI::App& app, Options& options) {
   app.add_option("workload", options.prefixes, "Run only workloads whose names begin with one of these");
-  app.add_option("--threads", options.threads, "Threads of each peer")->check(CLI::Range(1, 16))->capture_default_str();
-  app.add_option("--time", options.seconds, "Seconds the slower peer is timed on each workload")
+  app.add_option("--threads", options.threads, "Threads of each peer, and cores that both are kept to")
+      ->check(CLI::Range(1, 16))->capture_default_str();
+  app.add_option("--rounds", options.rounds, "Rounds of each workload, one frame of each peer, at least")
+      ->check(CLI::Range(5, 10000))->capture_default_str();
+  app.add_option("--time", options.seconds, "Seconds the slower peer is timed on each workload, at least")
       ->check(CLI::Range(0.0, 3600.0))->capture_default_str();
   app.add_option("--json", options.json_file, "Write the figures to this file");
   app.add_option("--dump", options.dump_folder, "Write both pictures and their difference to this folder");
-  app.add_option("--isa", options.instruction_set, "Tuberia's instruction set (default: the widest)");
+  app.add_option("--isa", options.instruction_set, "Tuberia's instruction set: sse4, avx2 or avx3 (default: the widest)");
   app.add_option("--precision", options.precision, "Tuberia's precision")
       ->check(CLI::IsMember({"exact", "fast"}))->capture_default_str();
+  app.add_option("--require-mean", options.requirement.mean, "Exit status 1 if the geometric mean of the ratios is below this")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--require-least", options.requirement.least, "Exit status 1 if any ratio is below this")->check(CLI::PositiveNumber);
+}
+
+// Fills `options`; returns whether to go on, with the exit status in `status` if not.
+bool parse(int argc, char** argv, Options& options, int& status) {
+  CLI::App app{"Times Tuberia and llvmpipe on the same frames, in turns.", "tuberia_peers"};
+  add_options(app, options);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -52,11 +63,17 @@ bool parse(int argc, char** argv, Options& options, int& status) {
   return true;
 }
 
-Result<std::unique_ptr<Peer>> make_our_peer(const Options& options) {
-  const auto instruction_set = options.instruction_set.empty() ? best_instruction_set()
-                                                               : instruction_set_named(options.instruction_set);
+Result<InstructionSet> our_instruction_set(const Options& options) {
+  if (options.instruction_set.empty()) return best_instruction_set();
+  const auto instruction_set = instruction_set_named(options.instruction_set);
   if (!instruction_set || !is_supported(*instruction_set))
     return Error{"this machine has no instruction set called " + options.instruction_set};
+  return *instruction_set;
+}
+
+Result<std::unique_ptr<Peer>> make_our_peer(const Options& options) {
+  const auto instruction_set = our_instruction_set(options);
+  if (!instruction_set) return instruction_set.error();
   return make_tuberia_peer(options.threads, *instruction_set,
                            options.precision == "exact" ? Precision::exact : Precision::fast);
 }
@@ -91,40 +108,12 @@ Result<Nothing> dump(const std::filesystem::path& folder, const std::string& wor
   return Nothing{};
 }
 
-void print_heading(const Peer& ours, const Peer& theirs) {
-  std::printf("%24s %11s   %11s   %11s   %11s %8s %6s\n", "", ours.name().c_str(), "", theirs.name().c_str(), "",
-              "times", "");
-  std::printf("%-24s %11s   %11s   %11s   %11s %8s %6s\n", "workload", "median ms", "min ms", "median ms", "min ms",
-              "faster", "pairs");
-}
-
-void print(const Timing& timing) {
-  std::printf("%-24s %11.3f   %11.3f   %11.3f   %11.3f %8.2f %6d\n", timing.workload.c_str(), timing.first_median_ms,
-              timing.first_smallest_ms, timing.second_median_ms, timing.second_smallest_ms, timing.ratio,
-              timing.pairs);
-  std::fflush(stdout);
-}
-
-Result<Nothing> write_json(const std::string& path, const std::vector<Timing>& timings) {
-  nlohmann::ordered_json figures = nlohmann::ordered_json::array();
-  for (const Timing& timing : timings)
-    figures.push_back(nlohmann::ordered_json{{"workload", timing.workload},
-                                             {"ours_ms", timing.first_median_ms},
-                                             {"peer_ms", timing.second_median_ms},
-                                             {"ratio", timing.ratio}});
-  std::ofstream file(path);
-  file << figures.dump(2) << '\n';
-  file.close();
-  if (!file) return Error{"cannot write " + path};
-  return Nothing{};
-}
-
 Result<Timing> run(const std::string& name, const Options& options, Peer& ours, Peer& theirs) {
   const auto workload = make_workload(name);
   if (!workload) return workload.error();
   for (Peer* peer : {&ours, &theirs})
     if (const auto prepared = peer->prepare(*workload); !prepared) return prepared.error();
-  const Timing timing = time_in_turns(*workload, ours, theirs, options.seconds);
+  const Timing timing = time_in_turns(*workload, ours, theirs, options.seconds, options.rounds);
   print(timing);
   if (!options.dump_folder.empty())
     if (const auto dumped = dump(options.dump_folder, name, ours, theirs); !dumped) return dumped.error();
@@ -139,11 +128,14 @@ int compare_peers(const Options& options) {
     std::filesystem::create_directories(options.dump_folder, error);
     if (error) return fail("cannot make " + options.dump_folder + ": " + error.message());
   }
+  const std::string pinned = keep_to_cores(options.threads);
   const auto theirs = make_osmesa_peer(options.threads);
   if (!theirs) return fail(theirs.error().message);
   const auto ours = make_our_peer(options);
   if (!ours) return fail(ours.error().message);
 
+  std::printf("%d %s each, %s; tuberia: %s, %s precision.\n\n", options.threads, options.threads == 1 ? "thread" : "threads",
+              pinned.c_str(), std::string(name_of(our_instruction_set(options).value())).c_str(), options.precision.c_str());
   print_heading(**ours, **theirs);
   std::vector<Timing> timings;
   for (const std::string& name : names) {
@@ -153,7 +145,7 @@ int compare_peers(const Options& options) {
   }
   if (!options.json_file.empty())
     if (const auto written = write_json(options.json_file, timings); !written) return fail(written.error().message);
-  return 0;
+  return print_summary(timings, options.requirement) ? 0 : 1;
 }
 
 }  // namespace

@@ -12,6 +12,13 @@ TEST_CASE("statistics: the median of an even number lies between the middle two"
   CHECK(median({4, 1, 3, 100}) == 3.5);
 }
 
+TEST_CASE("statistics: a quantile lies between its neighbours by their distance", "[bench]") {
+  CHECK(quantile({40, 10, 20, 30, 50}, 0.25) == 20);
+  CHECK(quantile({1, 2}, 0.75) == 1.75);
+  CHECK(quantile({7}, 0.25) == 7);
+  CHECK(quantile({3, 1, 2}, 1) == 3);
+}
+
 TEST_CASE("statistics: the geometric mean of ratios is the same both ways round", "[bench]") {
   const std::vector<double> ratios{2, 8, 0.5}, inverse{0.5, 0.125, 2};
   CHECK(geometric_mean(ratios) == Approx(2));
