@@ -1,0 +1,95 @@
+// Where each frame's time goes, and how it would scale: script/bench account.
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "bench/account/report.hpp"
+
+namespace tuberia::bench {
+namespace {
+
+struct Options {
+  std::vector<std::string> prefixes;
+  std::string page_file = "out/bench/account.html", json_file, instruction_set, precision = "exact", commit;
+  int frames = 7;
+};
+
+int fail(const std::string& message) {
+  std::fprintf(stderr, "script/bench account: %s\n", message.c_str());
+  return 1;
+}
+
+bool parse(int argc, char** argv, Options& options, int& status) {
+  CLI::App app{"Says where each workload's frame spends its time, against what bounds, and how it would scale.", "tuberia_account"};
+  app.add_option("workload", options.prefixes, "Only workloads whose names begin with one of these");
+  app.add_option("--frames", options.frames, "Frames of each workload; of every piece the shortest time counts")->check(CLI::Range(1, 1000))->capture_default_str();
+  app.add_option("--page", options.page_file, "The page to write")->capture_default_str();
+  app.add_option("--json", options.json_file, "Write the figures to this file, too");
+  app.add_option("--isa", options.instruction_set, "Instruction set: sse4, avx2 or avx3 (default: the widest)");
+  app.add_option("--precision", options.precision, "exact or fast")->check(CLI::IsMember({"exact", "fast"}))->capture_default_str();
+  app.add_option("--commit", options.commit, "What the page calls the measured sources");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    status = app.exit(error);
+    return false;
+  }
+  return true;
+}
+
+bool is_chosen(const std::string& name, const std::vector<std::string>& prefixes) {
+  return prefixes.empty() || std::any_of(prefixes.begin(), prefixes.end(), [&](const std::string& prefix) { return name.starts_with(prefix); });
+}
+
+Result<AccountOptions> account_options(const Options& options) {
+  AccountOptions account{.precision = options.precision == "exact" ? Precision::exact : Precision::fast, .frames = options.frames};
+  if (options.instruction_set.empty()) return account;
+  const auto chosen = instruction_set_named(options.instruction_set);
+  if (!chosen || !is_supported(*chosen)) return Error{"this machine has no instruction set called " + options.instruction_set};
+  account.instruction_set = *chosen;
+  return account;
+}
+
+Result<std::vector<Account>> all_accounts(const Options& options, const AccountOptions& how, double clock_hertz) {
+  std::vector<Account> accounts;
+  for (const std::string& name : workload_names()) {
+    if (!is_chosen(name, options.prefixes)) continue;
+    const auto workload = make_workload(name);
+    if (!workload) return Error{name + ": " + workload.error().message};
+    auto account = account_for(*workload, how);
+    if (!account) return Error{name + ": " + account.error().message};
+    if (accounts.empty()) print_account_heading();
+    print(*account, clock_hertz);
+    accounts.push_back(*std::move(account));
+  }
+  if (accounts.empty()) return Error{"no workload has such a name"};
+  return accounts;
+}
+
+int run(const Options& options) {
+  const auto how = account_options(options);
+  if (!how) return fail(how.error().message);
+  const Machine machine = this_machine(options.commit);
+  std::printf("%s\n\n", sentence_of(machine).c_str());
+  const auto accounts = all_accounts(options, *how, machine.clock_hertz);
+  if (!accounts) return fail(accounts.error().message);
+  if (const auto written = account_page(*accounts, machine, *how).write(options.page_file); !written) return fail(written.error().message);
+  if (!options.json_file.empty())
+    if (const auto written = write_json(options.json_file, *accounts, machine); !written) return fail(written.error().message);
+  std::printf("\nThe page: %s\n", options.page_file.c_str());
+  return 0;
+}
+
+}  // namespace
+}  // namespace tuberia::bench
+
+int main(int argc, char** argv) {
+  tuberia::bench::Options options;
+  int status = 0;
+  if (!tuberia::bench::parse(argc, argv, options, status)) return status;
+  return tuberia::bench::run(options);
+}
