@@ -29,6 +29,7 @@ struct MachineLimits {
   double memory_bytes_per_second = 50e9;        // writing to the second and third cache
   double first_cache_bytes_per_second = 240e9;  // reading and writing depth in the first cache
   double texels_per_second = 1.9e9;             // gathered from the first cache
+  double instructions_per_cycle = 6;            // that can be handed to the arithmetic units
 };
 
 /// Lower bounds of a frame's time in seconds, each as if nothing else were to be done.
@@ -36,7 +37,8 @@ struct Bounds {
   double memory = 0;       // vertices and indices read once, the target's bytes written once
   double first_cache = 0;  // every fragment's depth and colour
   double texels = 0;       // every shaded fragment's
-  double largest() const noexcept { return std::max({memory, first_cache, texels}); }
+  double instructions = 0; // if they were counted
+  double largest() const noexcept { return std::max({memory, first_cache, texels, instructions}); }
 };
 
 struct Account {
@@ -45,6 +47,7 @@ struct Account {
   double frame_seconds = 0;              // the sum of the items
   std::int64_t triangles = 0;
   DrawStatistics counts;
+  std::int64_t instructions = 0;         // if they were counted: of an AVX2 frame
   Bounds bounds;
   Work work;                             // the same pieces, for the schedule
   double speed_up_of_two = 0;            // median of the ratios of frames on one thread and on two

@@ -8,14 +8,16 @@
 #include <vector>
 
 #include "bench/account/report.hpp"
+#include "bench/guard/counting.hpp"
 
 namespace tuberia::bench {
 namespace {
 
 struct Options {
   std::vector<std::string> prefixes;
-  std::string page_file = "out/bench/account.html", json_file, instruction_set, precision = "exact", commit;
+  std::string page_file = "out/bench/account.html", json_file, instruction_set, precision = "exact", commit, drawn;
   int frames = 7;
+  bool instructions = false;
 };
 
 int fail(const std::string& message) {
@@ -31,6 +33,8 @@ bool parse(int argc, char** argv, Options& options, int& status) {
   app.add_option("--json", options.json_file, "Write the figures to this file, too");
   app.add_option("--isa", options.instruction_set, "Instruction set: sse4, avx2 or avx3 (default: the widest)");
   app.add_option("--precision", options.precision, "exact or fast")->check(CLI::IsMember({"exact", "fast"}))->capture_default_str();
+  app.add_flag("--instructions", options.instructions, "Count instructions, too, with callgrind: minutes; only with --isa avx2");
+  app.add_option("--draw", options.drawn, "Only draw this workload: what runs under callgrind");
   app.add_option("--commit", options.commit, "What the page calls the measured sources");
   try {
     app.parse(argc, argv);
@@ -54,7 +58,16 @@ Result<AccountOptions> account_options(const Options& options) {
   return account;
 }
 
+Result<Nothing> count(Account& account, const MachineLimits& limits, double clock_hertz, const ScratchFolder& scratch) {
+  const auto counted = count_instructions(account.workload, scratch);
+  if (!counted) return counted.error();
+  account.instructions = *counted;
+  account.bounds.instructions = static_cast<double>(*counted) / (limits.instructions_per_cycle * clock_hertz);
+  return Nothing{};
+}
+
 Result<std::vector<Account>> all_accounts(const Options& options, const AccountOptions& how, double clock_hertz) {
+  const ScratchFolder scratch;
   std::vector<Account> accounts;
   for (const std::string& name : workload_names()) {
     if (!is_chosen(name, options.prefixes)) continue;
@@ -62,6 +75,8 @@ Result<std::vector<Account>> all_accounts(const Options& options, const AccountO
     if (!workload) return Error{name + ": " + workload.error().message};
     auto account = account_for(*workload, how);
     if (!account) return Error{name + ": " + account.error().message};
+    if (options.instructions)
+      if (const auto counted = count(*account, how.limits, clock_hertz, scratch); !counted) return counted.error();
     if (accounts.empty()) print_account_heading();
     print(*account, clock_hertz);
     accounts.push_back(*std::move(account));
@@ -71,8 +86,14 @@ Result<std::vector<Account>> all_accounts(const Options& options, const AccountO
 }
 
 int run(const Options& options) {
+  if (!options.drawn.empty()) {
+    const auto drawn = draw_counted_frame(options.drawn);
+    return drawn ? 0 : fail(drawn.error().message);
+  }
   const auto how = account_options(options);
   if (!how) return fail(how.error().message);
+  if (options.instructions && how->instruction_set != InstructionSet::avx2)
+    return fail("--instructions counts AVX2 instructions, so it needs --isa avx2");
   const Machine machine = this_machine(options.commit);
   std::printf("%s\n\n", sentence_of(machine).c_str());
   const auto accounts = all_accounts(options, *how, machine.clock_hertz);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cstdio>
 
@@ -122,12 +123,22 @@ Table table_of_rates(std::span<const Account> accounts, double clock_hertz) {
   return table;
 }
 
-Table table_of_bounds(std::span<const Account> accounts) {
+Table table_of_bounds(std::span<const Account> accounts, double clock_hertz) {
   Table table{.headings = {"workload", "frame ms", "memory ms", "first cache ms", "texels ms", "largest bound / frame"}, .rows = {}};
-  for (const Account& account : accounts)
-    table.rows.push_back({escaped(account.workload), milliseconds(account.frame_seconds), milliseconds(account.bounds.memory),
-                          milliseconds(account.bounds.first_cache), milliseconds(account.bounds.texels),
-                          percent(account.bounds.largest(), account.frame_seconds)});
+  const bool counted = std::any_of(accounts.begin(), accounts.end(), [](const Account& account) { return account.instructions > 0; });
+  if (counted) table.headings.insert(table.headings.end() - 1, {"million<br>instructions", "instructions ms", "instructions<br>a cycle"});
+  for (const Account& account : accounts) {
+    std::vector<std::string> row{escaped(account.workload), milliseconds(account.frame_seconds), milliseconds(account.bounds.memory),
+                                 milliseconds(account.bounds.first_cache), milliseconds(account.bounds.texels)};
+    if (counted) {
+      const auto instructions = static_cast<double>(account.instructions);
+      row.push_back(number_text(1e-6 * instructions));
+      row.push_back(milliseconds(account.bounds.instructions));
+      row.push_back(number_text(instructions / (account.frame_seconds * clock_hertz)));
+    }
+    row.push_back(percent(account.bounds.largest(), account.frame_seconds));
+    table.rows.push_back(std::move(row));
+  }
   return table;
 }
 
@@ -154,7 +165,8 @@ std::string limits_sentence(const MachineLimits& limits) {
   return "Each bound is what the frame would take if only this were to be done, on one core: <b>memory</b>, vertices and indices read "
          "once and the target written once, at " + plain(limits.memory_bytes_per_second * 1e-9) +
          " GB/s; <b>first cache</b>, depth and colour of every fragment, at " + plain(limits.first_cache_bytes_per_second * 1e-9) +
-         " GB/s; <b>texels</b>, 1, 4 or 8 a shaded fragment, at " + plain(limits.texels_per_second * 1e-9) + " G/s.";
+         " GB/s; <b>texels</b>, 1, 4 or 8 a shaded fragment, at " + plain(limits.texels_per_second * 1e-9) +
+         " G/s; <b>instructions</b>, where they were counted, " + plain(limits.instructions_per_cycle) + " a cycle.";
 }
 
 }  // namespace
@@ -169,7 +181,7 @@ Page account_page(std::span<const Account> accounts, const Machine& machine, con
   page.add_section("Milliseconds", "<p>The largest item of each row is bold.</p>\n" + table_of_items(accounts).html());
   page.add_section("Cycles", "<p>At the measured clock. Geometry is everything from vertex fetch to binning. Fragments have a covered sample; "
                              "shaded ones also passed the early depth test.</p>\n" + table_of_rates(accounts, machine.clock_hertz).html());
-  page.add_section("Bounds", "<p>" + limits_sentence(options.limits) + "</p>\n" + table_of_bounds(accounts).html());
+  page.add_section("Bounds", "<p>" + limits_sentence(options.limits) + "</p>\n" + table_of_bounds(accounts, machine.clock_hertz).html());
   page.add_section("Schedule",
                    "<p>The durations of all chunks and tiles, as measured on one thread, dealt to more threads: whoever is free takes the "
                    "next, and tiles wait for chunks as they do in a draw. <b>Balance</b> is work / (threads &times; duration). The longest "

@@ -17,6 +17,7 @@ NamedBound largest_bound(const Bounds& bounds) {
   NamedBound largest{"memory", bounds.memory};
   if (bounds.first_cache > largest.seconds) largest = {"first cache", bounds.first_cache};
   if (bounds.texels > largest.seconds) largest = {"texels", bounds.texels};
+  if (bounds.instructions > largest.seconds) largest = {"instructions", bounds.instructions};
   return largest;
 }
 
@@ -65,7 +66,9 @@ Result<Nothing> write_json(const std::string& path, std::span<const Account> acc
                          {"samples_passed", account.counts.samples_passed},
                          {"bounds_ms", {{"memory", 1e3 * account.bounds.memory},
                                         {"first_cache", 1e3 * account.bounds.first_cache},
-                                        {"texels", 1e3 * account.bounds.texels}}},
+                                        {"texels", 1e3 * account.bounds.texels},
+                                        {"instructions", 1e3 * account.bounds.instructions}}},
+                         {"instructions", account.instructions},
                          {"longest_chain_ms", 1e3 * account.work.longest_chain()},
                          {"alone_ms", 1e3 * account.work.alone},
                          {"balance", balance},

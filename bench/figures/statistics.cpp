@@ -43,6 +43,9 @@ std::optional<PowerLaw> fit_power_law(std::span<const CurvePoint> points) {
   if (!(xx > 0)) return {};
 
   PowerLaw law{.exponent = xy / xx, .factor = std::exp(mean_y - xy / xx * mean_x)};
+  const auto [least, most] = std::minmax_element(points.begin(), points.end(), [](const CurvePoint& a, const CurvePoint& b) { return a.x < b.x; });
+  law.from = least->x;
+  law.to = most->x;
   if (points.size() > 2) {
     double residuals = 0;
     for (const CurvePoint& point : points) {
@@ -54,11 +57,11 @@ std::optional<PowerLaw> fit_power_law(std::span<const CurvePoint> points) {
   return law;
 }
 
-std::optional<PowerLaw> fit_upper_half(std::span<const CurvePoint> points) {
+std::optional<PowerLaw> fit_upper_end(std::span<const CurvePoint> points) {
   std::vector<CurvePoint> sorted(points.begin(), points.end());
   std::sort(sorted.begin(), sorted.end(), [](const CurvePoint& a, const CurvePoint& b) { return a.x < b.x; });
-  const std::size_t half = std::min(sorted.size(), std::max<std::size_t>(3, (sorted.size() + 1) / 2));
-  return fit_power_law(std::span(sorted).last(half));
+  const std::size_t third = std::min(sorted.size(), std::max<std::size_t>(3, (sorted.size() + 2) / 3));
+  return fit_power_law(std::span(sorted).last(third));
 }
 
 }  // namespace tuberia::bench

@@ -25,14 +25,16 @@ struct CurvePoint {
 struct PowerLaw {
   double exponent = 0, factor = 0;
   std::optional<double> standard_error{};  // of the exponent; two points alone have none
+  double from = 0, to = 0;                 // the x of the points it was fitted to
 };
 
 /// Nothing for fewer than two points, or when all have one x.
 std::optional<PowerLaw> fit_power_law(std::span<const CurvePoint> points);
 
-/// The law of the upper half of a curve's points, at least three of them if there are as many: at
-/// the lower end a fixed cost lies over it and makes every curve look flat.
-std::optional<PowerLaw> fit_upper_half(std::span<const CurvePoint> points);
+/// The law of the upper third of a curve's points, or of the last three: how it goes on. At the lower
+/// end a fixed cost lies over it and makes every curve look flat, in the middle are the steps where
+/// something no longer fits a cache.
+std::optional<PowerLaw> fit_upper_end(std::span<const CurvePoint> points);
 
 /// From this on an exponent counts as more than proportional; below, as noise.
 inline constexpr double kSuperlinear = 1.05;

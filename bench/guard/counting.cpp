@@ -1,5 +1,7 @@
 #include "bench/guard/counting.hpp"
 
+#include <unistd.h>
+
 #include <cstdlib>
 #include <fstream>
 
@@ -35,7 +37,8 @@ Result<std::int64_t> total_of(const std::filesystem::path& counts) {
 }
 
 Result<Nothing> draw_counted_frame(const std::string& name) {
-  const auto workload = make_small_workload(name);
+  auto workload = make_small_workload(name);
+  if (!workload) workload = make_workload(name);
   if (!workload) return workload.error();
   TuberiaPeer peer(1, InstructionSet::avx2, Precision::exact);
   if (auto prepared = peer.prepare(*workload); !prepared) return prepared;
@@ -44,9 +47,18 @@ Result<Nothing> draw_counted_frame(const std::string& name) {
   return Nothing{};
 }
 
-Result<std::int64_t> count_instructions(const std::filesystem::path& program, const std::string& workload,
-                                        const std::filesystem::path& scratch) {
-  const std::filesystem::path counts = scratch / (workload + ".callgrind"), log = scratch / (workload + ".log");
+ScratchFolder::ScratchFolder() : path_(std::filesystem::temp_directory_path() / ("tuberia_counts_" + std::to_string(getpid()))) {
+  std::filesystem::create_directories(path_);
+}
+
+ScratchFolder::~ScratchFolder() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
+}
+
+Result<std::int64_t> count_instructions(const std::string& workload, const ScratchFolder& scratch) {
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe");
+  const std::filesystem::path counts = scratch.path() / (workload + ".callgrind"), log = scratch.path() / (workload + ".log");
   const std::string command = "valgrind --tool=callgrind --callgrind-out-file=" + quoted(counts) + " --toggle-collect='" +
                               kCountedFunction + "' " + quoted(program) + " --draw " + workload + " > " + quoted(log) + " 2>&1";
   if (std::system(command.c_str()) != 0) {

@@ -2,12 +2,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <array>
 #include <cstdio>
-#include <filesystem>
 #include <fstream>
 #include <optional>
 #include <sstream>
@@ -55,33 +51,14 @@ bool parse(int argc, char** argv, Options& options, int& status) {
   return true;
 }
 
-/// A folder of our own, removed with all that is in it.
-class ScratchFolder {
- public:
-  ScratchFolder() : path_(std::filesystem::temp_directory_path() / ("tuberia_check_" + std::to_string(getpid()))) {
-    std::filesystem::create_directories(path_);
-  }
-  ~ScratchFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  const std::filesystem::path& path() const noexcept { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
-
 Result<std::vector<InstructionCount>> count_all() {
   const ScratchFolder scratch;
-  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe");
   const std::vector<std::string> names = small_workload_names();
   std::vector<std::optional<Result<std::int64_t>>> counts(names.size());
   Workers workers;
   parallel_for(workers, static_cast<std::int64_t>(names.size()), [&](std::int64_t item, int) {
     const auto i = static_cast<std::size_t>(item);
-    counts[i] = count_instructions(program, names[i], scratch.path());
+    counts[i] = count_instructions(names[i], scratch);
   });
   std::vector<InstructionCount> all;
   for (std::size_t i = 0; i < names.size(); ++i) {

@@ -57,11 +57,15 @@ TEST_CASE("power law: what determines no line gives none", "[bench]") {
   CHECK_FALSE(two->standard_error);
 }
 
-TEST_CASE("power law: the upper half shows what a fixed cost hides", "[bench]") {
+TEST_CASE("power law: the upper end shows what a fixed cost hides", "[bench]") {
   std::vector<CurvePoint> points;
   for (double x = 1e6; x >= 1; x /= 10) points.push_back({x, 1000 + x * x});
   CHECK(fit_power_law(points)->exponent < 1.7);
-  CHECK(fit_upper_half(points)->exponent == Approx(2).margin(0.01));
+  const auto end = fit_upper_end(points);
+  REQUIRE(end);
+  CHECK(end->exponent == Approx(2).margin(0.01));
+  CHECK(end->from == Approx(1e4));
+  CHECK(end->to == 1e6);
 }
 
 TEST_CASE("schedule: whoever is free takes the next item", "[bench]") {

@@ -1,0 +1,170 @@
+// How the cost of a draw grows, as curves on a page: script/bench curves.
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "bench/curves/curves.hpp"
+#include "bench/figures/machine.hpp"
+
+namespace tuberia::bench {
+namespace {
+
+struct Options {
+  std::vector<std::string> prefixes;
+  std::string page_file = "out/bench/curves.html", json_file, csv_file, instruction_set, precision = "exact", commit;
+  int threads = static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, 64u));
+  bool quick = false;
+};
+
+struct NamedCurve {
+  const char* name;
+  Curve (*measure)(const CurveOptions&);
+};
+constexpr NamedCurve kCurves[] = {{"triangles", triangle_count_curve}, {"triangle_size", triangle_size_curve},
+                                  {"layers", layer_curve},             {"target_size", target_size_curve},
+                                  {"attributes", attribute_curve},     {"threads", thread_curve}};
+
+int fail(const std::string& message) {
+  std::fprintf(stderr, "script/bench curves: %s\n", message.c_str());
+  return 1;
+}
+
+bool parse(int argc, char** argv, Options& options, int& status) {
+  CLI::App app{"Measures how the cost of a draw grows with what is drawn, and writes a page of curves.", "tuberia_curves"};
+  std::vector<std::string> names;
+  for (const NamedCurve& curve : kCurves) names.emplace_back(curve.name);
+  app.add_option("curve", options.prefixes, "Only these curves")->check(CLI::IsMember(names));
+  app.add_flag("--quick", options.quick, "Fewer points and repetitions: to try it out, not to quote");
+  app.add_option("--threads", options.threads, "The most threads")->check(CLI::Range(1, 64))->capture_default_str();
+  app.add_option("--page", options.page_file, "The page to write")->capture_default_str();
+  app.add_option("--json", options.json_file, "Write the figures to this file, too");
+  app.add_option("--csv", options.csv_file, "Write the points to this file, too");
+  app.add_option("--isa", options.instruction_set, "Instruction set: sse4, avx2 or avx3 (default: the widest)");
+  app.add_option("--precision", options.precision, "exact or fast")->check(CLI::IsMember({"exact", "fast"}))->capture_default_str();
+  app.add_option("--commit", options.commit, "What the page calls the measured sources");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    status = app.exit(error);
+    return false;
+  }
+  return true;
+}
+
+/// Only points with a positive x have a logarithm.
+void fit(Curve& curve) {
+  for (Series& series : curve.chart.series) {
+    std::vector<CurvePoint> points;
+    std::copy_if(series.points.begin(), series.points.end(), std::back_inserter(points), [](const CurvePoint& point) { return point.x > 0; });
+    series.law = fit_upper_end(points);
+  }
+}
+
+std::string verdict_of(const std::vector<Curve>& curves) {
+  std::string steep;
+  for (const Curve& curve : curves)
+    for (const Series& series : curve.chart.series)
+      if (series.law && is_superlinear(*series.law)) steep += (steep.empty() ? "" : ", ") + curve.name + " (" + series.name + ")";
+  char limit[16];
+  std::snprintf(limit, sizeof limit, "%g", kSuperlinear);
+  if (steep.empty()) return std::string("Nothing grows faster than in proportion: no exponent is above ") + limit + ".";
+  return std::string("Exponents above ") + limit + ": " + steep + ".";
+}
+
+Result<Nothing> write_text(const std::string& path, const std::string& text) {
+  std::ofstream file(path);
+  file << text;
+  file.close();
+  if (!file) return Error{"cannot write " + path};
+  return Nothing{};
+}
+
+std::string csv_of(const std::vector<Curve>& curves) {
+  std::string text = "curve,series,x,y\n";
+  for (const Curve& curve : curves)
+    for (const Series& series : curve.chart.series)
+      for (const CurvePoint& point : series.points) {
+        char numbers[64];
+        std::snprintf(numbers, sizeof numbers, ",%.9g,%.9g\n", point.x, point.y);
+        text += "\"" + curve.name + "\",\"" + series.name + "\"" + numbers;
+      }
+  return text;
+}
+
+std::string json_of(const std::vector<Curve>& curves, const Machine& machine) {
+  using Json = nlohmann::ordered_json;
+  Json list = Json::array();
+  for (const Curve& curve : curves)
+    for (const Series& series : curve.chart.series) {
+      Json points = Json::array();
+      for (const CurvePoint& point : series.points) points.push_back({point.x, point.y});
+      Json entry{{"curve", curve.name}, {"series", series.name}, {"x", curve.chart.x.label}, {"y", curve.chart.y.label}, {"points", points}};
+      if (series.law) entry["exponent"] = series.law->exponent;
+      if (series.law && series.law->standard_error) entry["standard_error"] = *series.law->standard_error;
+      list.push_back(std::move(entry));
+    }
+  return Json{{"machine", sentence_of(machine)}, {"curves", list}}.dump(2) + "\n";
+}
+
+Page page_of(const std::vector<Curve>& curves, const Machine& machine, const CurveOptions& options) {
+  const std::string how = ". " + std::string(name_of(options.instruction_set)) + ", " +
+                          (options.precision == Precision::exact ? "exact" : "fast") + " precision; up to " +
+                          std::to_string(options.threads) + (options.threads == 1 ? " thread" : " threads") + ".";
+  std::string lede = escaped(sentence_of(machine)) + how + " Points are medians of up to seven runs. The bands are power laws, fitted to "
+                     "the upper third of a curve's points (three at least), beyond fixed costs and the steps of the caches; &plusmn; is the exponent's standard error. <b>" +
+                     escaped(verdict_of(curves)) + "</b>";
+  if (options.quick) lede += " <span class=\"alarm\">A quick run: not to be quoted.</span>";
+  Page page("What it costs", lede);
+  for (const Curve& curve : curves)
+    page.add_section(curve.title, "<p>" + curve.explanation + "</p>\n<div class=\"row\">\n" + figure_of(curve.chart) + "<div>\n" + curve.more_html + "</div>\n</div>\n");
+  return page;
+}
+
+Result<CurveOptions> curve_options(const Options& options) {
+  CurveOptions curves{.threads = options.threads, .quick = options.quick};
+  curves.precision = options.precision == "exact" ? Precision::exact : Precision::fast;
+  if (options.instruction_set.empty()) return curves;
+  const auto chosen = instruction_set_named(options.instruction_set);
+  if (!chosen || !is_supported(*chosen)) return Error{"this machine has no instruction set called " + options.instruction_set};
+  curves.instruction_set = *chosen;
+  return curves;
+}
+
+int run(const Options& options) {
+  const auto how = curve_options(options);
+  if (!how) return fail(how.error().message);
+  const Machine machine = this_machine(options.commit);
+  std::printf("%s\n\n", sentence_of(machine).c_str());
+  std::vector<Curve> curves;
+  for (const NamedCurve& each : kCurves) {
+    if (!options.prefixes.empty() && std::find(options.prefixes.begin(), options.prefixes.end(), each.name) == options.prefixes.end()) continue;
+    curves.push_back(each.measure(*how));
+    fit(curves.back());
+  }
+  std::printf("\n%s\n", verdict_of(curves).c_str());
+  if (const auto written = page_of(curves, machine, *how).write(options.page_file); !written) return fail(written.error().message);
+  if (!options.json_file.empty())
+    if (const auto written = write_text(options.json_file, json_of(curves, machine)); !written) return fail(written.error().message);
+  if (!options.csv_file.empty())
+    if (const auto written = write_text(options.csv_file, csv_of(curves)); !written) return fail(written.error().message);
+  std::printf("The page: %s\n", options.page_file.c_str());
+  return 0;
+}
+
+}  // namespace
+}  // namespace tuberia::bench
+
+int main(int argc, char** argv) {
+  tuberia::bench::Options options;
+  int status = 0;
+  if (!tuberia::bench::parse(argc, argv, options, status)) return status;
+  return tuberia::bench::run(options);
+}
