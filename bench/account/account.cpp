@@ -102,7 +102,8 @@ void share_out(const FrameTimes& frame, double tiles_without_colour, Account& ac
   for (const BatchTimes& batch : frame.times.batches)
     for (const ChunkTimes& chunk : batch.chunks)
       for (std::size_t stage = 0; stage < chunk.stages.size(); ++stage)
-        account.seconds[static_cast<std::size_t>(Item::fetch) + stage] += static_cast<double>(chunk.stages[stage]) * kNanosecond;
+        account.seconds[static_cast<std::size_t>(Item::fetch) + stage] +=
+            static_cast<double>(chunk.stages[stage]) * kNanosecond;
   at(Item::coverage_and_depth) = std::min(tiles_without_colour, frame.tiles());
   at(Item::shading_and_blending) = frame.tiles() - at(Item::coverage_and_depth);
   at(Item::other) = frame.other;
@@ -111,7 +112,9 @@ void share_out(const FrameTimes& frame, double tiles_without_colour, Account& ac
 
 /// The clear and the check of the indices are loops of equal pieces; then chunks and tiles by turns.
 Work work_of(const FrameTimes& frame, const Account& account, std::size_t indices, int tiles) {
-  const auto even_loop = [](double seconds, std::size_t pieces) { return Loop(pieces, seconds / static_cast<double>(pieces)); };
+  const auto even_loop = [](double seconds, std::size_t pieces) {
+    return Loop(pieces, seconds / static_cast<double>(pieces));
+  };
   Work work;
   work.loops.push_back(even_loop(frame.clear, static_cast<std::size_t>(tiles)));
   work.loops.push_back(even_loop(account.of(Item::validation), indices / kIndicesPerPiece + 1));
@@ -156,15 +159,18 @@ Bounds bounds_of(const Workload& workload, const DrawStatistics& counts, const M
   const double indices = kCodeBytes * static_cast<double>(workload.mesh.indices.size());
 
   double fragment_bytes = 0;
-  if (workload.depth_test) fragment_bytes += kCodeBytes * (static_cast<double>(counts.fragments) + (workload.blend ? 0 : passed));
+  if (workload.depth_test)
+    fragment_bytes += kCodeBytes * (static_cast<double>(counts.fragments) + (workload.blend ? 0 : passed));
   if (colour) fragment_bytes += kCodeBytes * passed * (workload.blend ? 2 : 1);
   return {.memory = (target + indices + vertex_bytes(workload)) / limits.memory_bytes_per_second,
           .first_cache = fragment_bytes / limits.first_cache_bytes_per_second,
-          .texels = static_cast<double>(counts.fragments_shaded) * texels_a_fragment(workload.filter) / limits.texels_per_second};
+          .texels = static_cast<double>(counts.fragments_shaded) * texels_a_fragment(workload.filter) /
+                    limits.texels_per_second};
 }
 
 /// Median of the ratios of frames taken in turns.
-double speed_up_of_two(TuberiaPeer& one, const Workload& workload, const AccountOptions& options, Result<Nothing>& prepared) {
+double speed_up_of_two(TuberiaPeer& one, const Workload& workload, const AccountOptions& options,
+                       Result<Nothing>& prepared) {
   TuberiaPeer two(2, options.instruction_set, options.precision);
   prepared = two.prepare(workload);
   if (!prepared) return 0;
@@ -186,14 +192,15 @@ double speed_up_of_two(TuberiaPeer& one, const Workload& workload, const Account
 
 std::string_view name_of(Item item) noexcept {
   constexpr std::array<std::string_view, kItems> kNames{
-      "clear", "validation", "vertex fetch", "transform", "assembly", "clipping", "divide", "culling", "attributes", "set-up",
-      "binning", "coverage, depth", "shading, blending", "between"};
+      "clear",   "validation", "vertex fetch", "transform", "assembly",        "clipping",          "divide",
+      "culling", "attributes", "set-up",       "binning",   "coverage, depth", "shading, blending", "between"};
   return kNames[static_cast<std::size_t>(item)];
 }
 
 double Account::geometry_seconds() const noexcept {
   double sum = 0;
-  for (int i = static_cast<int>(Item::fetch); i <= static_cast<int>(Item::binning); ++i) sum += seconds[static_cast<std::size_t>(i)];
+  for (int i = static_cast<int>(Item::fetch); i <= static_cast<int>(Item::binning); ++i)
+    sum += seconds[static_cast<std::size_t>(i)];
   return sum;
 }
 

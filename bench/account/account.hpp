@@ -16,10 +16,20 @@ namespace tuberia::bench {
 
 /// The items of the account, in the order of the pipeline.
 enum class Item {
-  clear, validation, fetch, transform, assembly, clipping, divide, culling, attributes, set_up, binning,
-  coverage_and_depth,  // in the tiles: the draw without colour
+  clear,
+  validation,
+  fetch,
+  transform,
+  assembly,
+  clipping,
+  divide,
+  culling,
+  attributes,
+  set_up,
+  binning,
+  coverage_and_depth,    // in the tiles: the draw without colour
   shading_and_blending,  // in the tiles: the rest
-  other,  // between the stages: starting loops, growing lists
+  other,                 // between the stages: starting loops, growing lists
 };
 inline constexpr int kItems = 14;
 std::string_view name_of(Item item) noexcept;
@@ -34,10 +44,10 @@ struct MachineLimits {
 
 /// Lower bounds of a frame's time in seconds, each as if nothing else were to be done.
 struct Bounds {
-  double memory = 0;       // vertices and indices read once, the target's bytes written once
-  double first_cache = 0;  // every fragment's depth and colour
-  double texels = 0;       // every shaded fragment's
-  double instructions = 0; // if they were counted
+  double memory = 0;        // vertices and indices read once, the target's bytes written once
+  double first_cache = 0;   // every fragment's depth and colour
+  double texels = 0;        // every shaded fragment's
+  double instructions = 0;  // if they were counted
   double largest() const noexcept { return std::max({memory, first_cache, texels, instructions}); }
 };
 
@@ -47,10 +57,10 @@ struct Account {
   double frame_seconds = 0;              // the sum of the items
   std::int64_t triangles = 0;
   DrawStatistics counts;
-  std::int64_t instructions = 0;         // if they were counted: of an AVX2 frame
+  std::int64_t instructions = 0;  // if they were counted: of an AVX2 frame
   Bounds bounds;
-  Work work;                             // the same pieces, for the schedule
-  double speed_up_of_two = 0;            // median of the ratios of frames on one thread and on two
+  Work work;                   // the same pieces, for the schedule
+  double speed_up_of_two = 0;  // median of the ratios of frames on one thread and on two
 
   double of(Item item) const noexcept { return seconds[static_cast<std::size_t>(item)]; }
   double geometry_seconds() const noexcept;

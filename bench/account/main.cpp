@@ -26,14 +26,20 @@ int fail(const std::string& message) {
 }
 
 bool parse(int argc, char** argv, Options& options, int& status) {
-  CLI::App app{"Says where each workload's frame spends its time, against what bounds, and how it would scale.", "tuberia_account"};
+  CLI::App app{"Says where each workload's frame spends its time, against what bounds, and how it would scale.",
+               "tuberia_account"};
   app.add_option("workload", options.prefixes, "Only workloads whose names begin with one of these");
-  app.add_option("--frames", options.frames, "Frames of each workload; of every piece the shortest time counts")->check(CLI::Range(1, 1000))->capture_default_str();
+  app.add_option("--frames", options.frames, "Frames of each workload; of every piece the shortest time counts")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
   app.add_option("--page", options.page_file, "The page to write")->capture_default_str();
   app.add_option("--json", options.json_file, "Write the figures to this file, too");
   app.add_option("--isa", options.instruction_set, "Instruction set: sse4, avx2 or avx3 (default: the widest)");
-  app.add_option("--precision", options.precision, "exact or fast")->check(CLI::IsMember({"exact", "fast"}))->capture_default_str();
-  app.add_flag("--instructions", options.instructions, "Count instructions, too, with callgrind: minutes; only with --isa avx2");
+  app.add_option("--precision", options.precision, "exact or fast")
+      ->check(CLI::IsMember({"exact", "fast"}))
+      ->capture_default_str();
+  app.add_flag("--instructions", options.instructions,
+               "Count instructions, too, with callgrind: minutes; only with --isa avx2");
   app.add_option("--draw", options.drawn, "Only draw this workload: what runs under callgrind");
   app.add_option("--commit", options.commit, "What the page calls the measured sources");
   try {
@@ -46,14 +52,17 @@ bool parse(int argc, char** argv, Options& options, int& status) {
 }
 
 bool is_chosen(const std::string& name, const std::vector<std::string>& prefixes) {
-  return prefixes.empty() || std::any_of(prefixes.begin(), prefixes.end(), [&](const std::string& prefix) { return name.starts_with(prefix); });
+  return prefixes.empty() || std::any_of(prefixes.begin(), prefixes.end(),
+                                         [&](const std::string& prefix) { return name.starts_with(prefix); });
 }
 
 Result<AccountOptions> account_options(const Options& options) {
-  AccountOptions account{.precision = options.precision == "exact" ? Precision::exact : Precision::fast, .frames = options.frames};
+  AccountOptions account{.precision = options.precision == "exact" ? Precision::exact : Precision::fast,
+                         .frames = options.frames};
   if (options.instruction_set.empty()) return account;
   const auto chosen = instruction_set_named(options.instruction_set);
-  if (!chosen || !is_supported(*chosen)) return Error{"this machine has no instruction set called " + options.instruction_set};
+  if (!chosen || !is_supported(*chosen))
+    return Error{"this machine has no instruction set called " + options.instruction_set};
   account.instruction_set = *chosen;
   return account;
 }
@@ -98,9 +107,11 @@ int run(const Options& options) {
   std::printf("%s\n\n", sentence_of(machine).c_str());
   const auto accounts = all_accounts(options, *how, machine.clock_hertz);
   if (!accounts) return fail(accounts.error().message);
-  if (const auto written = account_page(*accounts, machine, *how).write(options.page_file); !written) return fail(written.error().message);
+  if (const auto written = account_page(*accounts, machine, *how).write(options.page_file); !written)
+    return fail(written.error().message);
   if (!options.json_file.empty())
-    if (const auto written = write_json(options.json_file, *accounts, machine); !written) return fail(written.error().message);
+    if (const auto written = write_json(options.json_file, *accounts, machine); !written)
+      return fail(written.error().message);
   std::printf("\nThe page: %s\n", options.page_file.c_str());
   return 0;
 }

@@ -30,21 +30,25 @@ bool scales_too_little(const Account& account) noexcept {
 }
 
 void print_account_heading() {
-  std::printf("%-24s %9s  %15s  %15s  %-24s %-22s %9s %11s\n", "", "", "geometry cycles", "tile cycles", "", "", "2 threads", "64 threads");
-  std::printf("%-24s %9s  %15s  %15s  %-24s %-22s %9s %11s\n", "workload", "ms", "a triangle", "a fragment", "largest item", "largest bound",
-              "(measured)", "(simulated)");
+  std::printf("%-24s %9s  %15s  %15s  %-24s %-22s %9s %11s\n", "", "", "geometry cycles", "tile cycles", "", "",
+              "2 threads", "64 threads");
+  std::printf("%-24s %9s  %15s  %15s  %-24s %-22s %9s %11s\n", "workload", "ms", "a triangle", "a fragment",
+              "largest item", "largest bound", "(measured)", "(simulated)");
 }
 
 void print(const Account& account, double clock_hertz) {
-  const auto triangles = static_cast<double>(account.triangles), fragments = static_cast<double>(account.counts.fragments);
+  const auto triangles = static_cast<double>(account.triangles),
+             fragments = static_cast<double>(account.counts.fragments);
   const Item item = account.largest_item();
   const NamedBound bound = largest_bound(account.bounds);
   char item_text[48], bound_text[48];
-  std::snprintf(item_text, sizeof item_text, "%s %.0f %%", std::string(name_of(item)).c_str(), 100 * account.of(item) / account.frame_seconds);
+  std::snprintf(item_text, sizeof item_text, "%s %.0f %%", std::string(name_of(item)).c_str(),
+                100 * account.of(item) / account.frame_seconds);
   std::snprintf(bound_text, sizeof bound_text, "%s %.0f %%", bound.name, 100 * bound.seconds / account.frame_seconds);
-  std::printf("%-24s %9.3f  %15.1f  %15.2f  %-24s %-22s %8.2fx %10.2fx\n", account.workload.c_str(), 1e3 * account.frame_seconds,
-              share(account.geometry_seconds() * clock_hertz, triangles), share(account.tile_seconds() * clock_hertz, fragments), item_text,
-              bound_text, account.speed_up_of_two, account.work.total() / account.work.duration(64));
+  std::printf("%-24s %9.3f  %15.1f  %15.2f  %-24s %-22s %8.2fx %10.2fx\n", account.workload.c_str(),
+              1e3 * account.frame_seconds, share(account.geometry_seconds() * clock_hertz, triangles),
+              share(account.tile_seconds() * clock_hertz, fragments), item_text, bound_text, account.speed_up_of_two,
+              account.work.total() / account.work.duration(64));
   std::fflush(stdout);
 }
 
@@ -64,10 +68,11 @@ Result<Nothing> write_json(const std::string& path, std::span<const Account> acc
                          {"fragments", account.counts.fragments},
                          {"fragments_shaded", account.counts.fragments_shaded},
                          {"samples_passed", account.counts.samples_passed},
-                         {"bounds_ms", {{"memory", 1e3 * account.bounds.memory},
-                                        {"first_cache", 1e3 * account.bounds.first_cache},
-                                        {"texels", 1e3 * account.bounds.texels},
-                                        {"instructions", 1e3 * account.bounds.instructions}}},
+                         {"bounds_ms",
+                          {{"memory", 1e3 * account.bounds.memory},
+                           {"first_cache", 1e3 * account.bounds.first_cache},
+                           {"texels", 1e3 * account.bounds.texels},
+                           {"instructions", 1e3 * account.bounds.instructions}}},
                          {"instructions", account.instructions},
                          {"longest_chain_ms", 1e3 * account.work.longest_chain()},
                          {"alone_ms", 1e3 * account.work.alone},

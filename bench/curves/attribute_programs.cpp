@@ -36,10 +36,12 @@ using SumOfNone = SumOfAttributes<Attributes::none>;
 using SumOfTexcoord = SumOfAttributes<Attributes::texcoord>;
 using SumOfColour = SumOfAttributes<Attributes::colour>;
 using SumOfTwo = SumOfAttributes<Attributes::colour | Attributes::custom>;
-using SumOfAll = SumOfAttributes<Attributes::position | Attributes::normal | Attributes::texcoord | Attributes::colour | Attributes::custom>;
+using SumOfAll = SumOfAttributes<Attributes::position | Attributes::normal | Attributes::texcoord |
+                                 Attributes::colour | Attributes::custom>;
 
 TUBERIA_PROGRAM_END(sum_of_all, SumOfAll)
 TUBERIA_PROGRAM_BEGIN
+// The macro that ends a block makes the kernels of one program; these are made as it makes them.
 inline const ProgramKernels& sum_of_none_kernels(Precision precision) { return kernels_of<SumOfNone>(precision); }
 inline const ProgramKernels& sum_of_texcoord_kernels(Precision precision) { return kernels_of<SumOfTexcoord>(precision); }
 inline const ProgramKernels& sum_of_colour_kernels(Precision precision) { return kernels_of<SumOfColour>(precision); }

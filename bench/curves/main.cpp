@@ -28,9 +28,9 @@ struct NamedCurve {
   const char* name;
   Curve (*measure)(const CurveOptions&);
 };
-constexpr NamedCurve kCurves[] = {{"triangles", triangle_count_curve}, {"triangle_size", triangle_size_curve},
-                                  {"layers", layer_curve},             {"target_size", target_size_curve},
-                                  {"attributes", attribute_curve},     {"threads", thread_curve}};
+constexpr NamedCurve kCurves[] = {
+    {"triangles", triangle_count_curve}, {"triangle_size", triangle_size_curve}, {"layers", layer_curve},
+    {"target_size", target_size_curve},  {"attributes", attribute_curve},        {"threads", thread_curve}};
 
 int fail(const std::string& message) {
   std::fprintf(stderr, "script/bench curves: %s\n", message.c_str());
@@ -38,7 +38,8 @@ int fail(const std::string& message) {
 }
 
 bool parse(int argc, char** argv, Options& options, int& status) {
-  CLI::App app{"Measures how the cost of a draw grows with what is drawn, and writes a page of curves.", "tuberia_curves"};
+  CLI::App app{"Measures how the cost of a draw grows with what is drawn, and writes a page of curves.",
+               "tuberia_curves"};
   std::vector<std::string> names;
   for (const NamedCurve& curve : kCurves) names.emplace_back(curve.name);
   app.add_option("curve", options.prefixes, "Only these curves")->check(CLI::IsMember(names));
@@ -48,7 +49,9 @@ bool parse(int argc, char** argv, Options& options, int& status) {
   app.add_option("--json", options.json_file, "Write the figures to this file, too");
   app.add_option("--csv", options.csv_file, "Write the points to this file, too");
   app.add_option("--isa", options.instruction_set, "Instruction set: sse4, avx2 or avx3 (default: the widest)");
-  app.add_option("--precision", options.precision, "exact or fast")->check(CLI::IsMember({"exact", "fast"}))->capture_default_str();
+  app.add_option("--precision", options.precision, "exact or fast")
+      ->check(CLI::IsMember({"exact", "fast"}))
+      ->capture_default_str();
   app.add_option("--commit", options.commit, "What the page calls the measured sources");
   try {
     app.parse(argc, argv);
@@ -63,7 +66,8 @@ bool parse(int argc, char** argv, Options& options, int& status) {
 void fit(Curve& curve) {
   for (Series& series : curve.chart.series) {
     std::vector<CurvePoint> points;
-    std::copy_if(series.points.begin(), series.points.end(), std::back_inserter(points), [](const CurvePoint& point) { return point.x > 0; });
+    std::copy_if(series.points.begin(), series.points.end(), std::back_inserter(points),
+                 [](const CurvePoint& point) { return point.x > 0; });
     series.law = fit_upper_end(points);
   }
 }
@@ -72,7 +76,8 @@ std::string verdict_of(const std::vector<Curve>& curves) {
   std::string steep;
   for (const Curve& curve : curves)
     for (const Series& series : curve.chart.series)
-      if (series.law && is_superlinear(*series.law)) steep += (steep.empty() ? "" : ", ") + curve.name + " (" + series.name + ")";
+      if (series.law && is_superlinear(*series.law))
+        steep += (steep.empty() ? "" : ", ") + curve.name + " (" + series.name + ")";
   char limit[16];
   std::snprintf(limit, sizeof limit, "%g", kSuperlinear);
   if (steep.empty()) return std::string("Nothing grows faster than in proportion: no exponent is above ") + limit + ".";
@@ -106,7 +111,11 @@ std::string json_of(const std::vector<Curve>& curves, const Machine& machine) {
     for (const Series& series : curve.chart.series) {
       Json points = Json::array();
       for (const CurvePoint& point : series.points) points.push_back({point.x, point.y});
-      Json entry{{"curve", curve.name}, {"series", series.name}, {"x", curve.chart.x.label}, {"y", curve.chart.y.label}, {"points", points}};
+      Json entry{{"curve", curve.name},
+                 {"series", series.name},
+                 {"x", curve.chart.x.label},
+                 {"y", curve.chart.y.label},
+                 {"points", points}};
       if (series.law) entry["exponent"] = series.law->exponent;
       if (series.law && series.law->standard_error) entry["standard_error"] = *series.law->standard_error;
       list.push_back(std::move(entry));
@@ -118,13 +127,16 @@ Page page_of(const std::vector<Curve>& curves, const Machine& machine, const Cur
   const std::string how = ". " + std::string(name_of(options.instruction_set)) + ", " +
                           (options.precision == Precision::exact ? "exact" : "fast") + " precision; up to " +
                           std::to_string(options.threads) + (options.threads == 1 ? " thread" : " threads") + ".";
-  std::string lede = escaped(sentence_of(machine)) + how + " Points are medians of up to seven runs. The bands are power laws, fitted to "
-                     "the upper third of a curve's points (three at least), beyond fixed costs and the steps of the caches; &plusmn; is the exponent's standard error. <b>" +
+  std::string lede = escaped(sentence_of(machine)) + how +
+                     " Points are medians of up to seven runs. The bands are power laws, fitted to the upper third "
+                     "of a curve's points (three at least), beyond fixed costs and the steps of the caches; &plusmn; "
+                     "is the exponent's standard error. <b>" +
                      escaped(verdict_of(curves)) + "</b>";
   if (options.quick) lede += " <span class=\"alarm\">A quick run: not to be quoted.</span>";
   Page page("What it costs", lede);
   for (const Curve& curve : curves)
-    page.add_section(curve.title, "<p>" + curve.explanation + "</p>\n<div class=\"row\">\n" + figure_of(curve.chart) + "<div>\n" + curve.more_html + "</div>\n</div>\n");
+    page.add_section(curve.title, "<p>" + curve.explanation + "</p>\n<div class=\"row\">\n" + figure_of(curve.chart) +
+                                      "<div>\n" + curve.more_html + "</div>\n</div>\n");
   return page;
 }
 
@@ -133,7 +145,8 @@ Result<CurveOptions> curve_options(const Options& options) {
   curves.precision = options.precision == "exact" ? Precision::exact : Precision::fast;
   if (options.instruction_set.empty()) return curves;
   const auto chosen = instruction_set_named(options.instruction_set);
-  if (!chosen || !is_supported(*chosen)) return Error{"this machine has no instruction set called " + options.instruction_set};
+  if (!chosen || !is_supported(*chosen))
+    return Error{"this machine has no instruction set called " + options.instruction_set};
   curves.instruction_set = *chosen;
   return curves;
 }
@@ -145,16 +158,21 @@ int run(const Options& options) {
   std::printf("%s\n\n", sentence_of(machine).c_str());
   std::vector<Curve> curves;
   for (const NamedCurve& each : kCurves) {
-    if (!options.prefixes.empty() && std::find(options.prefixes.begin(), options.prefixes.end(), each.name) == options.prefixes.end()) continue;
+    if (!options.prefixes.empty() &&
+        std::find(options.prefixes.begin(), options.prefixes.end(), each.name) == options.prefixes.end())
+      continue;
     curves.push_back(each.measure(*how));
     fit(curves.back());
   }
   std::printf("\n%s\n", verdict_of(curves).c_str());
-  if (const auto written = page_of(curves, machine, *how).write(options.page_file); !written) return fail(written.error().message);
+  if (const auto written = page_of(curves, machine, *how).write(options.page_file); !written)
+    return fail(written.error().message);
   if (!options.json_file.empty())
-    if (const auto written = write_text(options.json_file, json_of(curves, machine)); !written) return fail(written.error().message);
+    if (const auto written = write_text(options.json_file, json_of(curves, machine)); !written)
+      return fail(written.error().message);
   if (!options.csv_file.empty())
-    if (const auto written = write_text(options.csv_file, csv_of(curves)); !written) return fail(written.error().message);
+    if (const auto written = write_text(options.csv_file, csv_of(curves)); !written)
+      return fail(written.error().message);
   std::printf("The page: %s\n", options.page_file.c_str());
   return 0;
 }

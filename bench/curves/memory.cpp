@@ -37,8 +37,9 @@ std::int64_t available_bytes() { return bytes_after("/proc/meminfo", "MemAvailab
 
 /// What the operators below have in common.
 void* take_counted(std::size_t bytes, std::size_t alignment) {
-  void* memory = alignment <= alignof(std::max_align_t) ? std::malloc(bytes)
-                                                        : std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
+  void* memory = alignment <= alignof(std::max_align_t)
+                     ? std::malloc(bytes)
+                     : std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
   if (memory == nullptr) throw std::bad_alloc();
   note_taken(memory);
   return memory;

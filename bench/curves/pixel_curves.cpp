@@ -23,9 +23,11 @@ double frame_milliseconds(const Workload& workload, const CurveOptions& options,
 }  // namespace
 
 Curve layer_curve(const CurveOptions& options) {
-  Curve curve{.name = "layers", .title = "Layers of overdraw",
-              .explanation = "So many quads over the whole of 1920 &times; 1080, colours interpolated; clearing included.",
-              .chart = {.x = {"layers"}, .y = {"ms a frame"}, .series = {}}};
+  Curve curve{
+      .name = "layers",
+      .title = "Layers of overdraw",
+      .explanation = "So many quads over the whole of 1920 &times; 1080, colours interpolated; clearing included.",
+      .chart = {.x = {"layers"}, .y = {"ms a frame"}, .series = {}}};
   const struct {
     const char* name;
     LayerOrder order;
@@ -47,15 +49,20 @@ Curve layer_curve(const CurveOptions& options) {
 
 Curve target_size_curve(const CurveOptions& options) {
   constexpr double kBytesPerPixel = 8, kRoomBeside = 1 << 30;
-  Curve curve{.name = "target size", .title = "Size of the target",
-              .explanation = "A quad over the whole target, depth tested, colours interpolated; clearing included. Square targets "
-                             "from 64 to 16384 pixels a side; the larger ones exceed the caches, which is the step in the curve.",
+  Curve curve{.name = "target size",
+              .title = "Size of the target",
+              .explanation =
+                  "A quad over the whole target, depth tested, colours interpolated; clearing included. Square "
+                  "targets from 64 to 16384 pixels a side; the larger ones exceed the caches, which is the step in "
+                  "the curve.",
               .chart = {.x = {"pixels"}, .y = {"ms a frame"}, .series = {}}};
   Series clearing{.name = "clear", .points = {}}, filling{.name = "clear and fill", .points = {}};
   for (int side = 64; side <= (options.quick ? 4096 : 16384); side *= options.quick ? 4 : 2) {
     const double pixels = static_cast<double>(side) * side;
-    if (const auto room = static_cast<double>(available_bytes()); room > 0 && room < pixels * kBytesPerPixel + kRoomBeside) {
-      curve.more_html = "<p>Not measured for want of memory: " + count_text(side) + " &times; " + count_text(side) + ".</p>\n";
+    if (const auto room = static_cast<double>(available_bytes());
+        room > 0 && room < pixels * kBytesPerPixel + kRoomBeside) {
+      curve.more_html =
+          "<p>Not measured for want of memory: " + count_text(side) + " &times; " + count_text(side) + ".</p>\n";
       break;
     }
     Workload workload{.width_pixels = side, .height_pixels = side};
@@ -70,9 +77,11 @@ Curve target_size_curve(const CurveOptions& options) {
 
 Curve attribute_curve(const CurveOptions& options) {
   constexpr int kLayers = 8;
-  Curve curve{.name = "attributes", .title = "Interpolated attributes",
-              .explanation = "Eight layers over 1920 &times; 1080, blended so that every fragment is shaded; the program adds all "
-                             "scalars that it gets, interpolated in perspective.",
+  Curve curve{.name = "attributes",
+              .title = "Interpolated attributes",
+              .explanation =
+                  "Eight layers over 1920 &times; 1080, blended so that every fragment is shaded; the program adds "
+                  "all scalars that it gets, interpolated in perspective.",
               .chart = {.x = {"scalars interpolated", false}, .y = {"ns a fragment", false}, .series = {}}};
   const Workload workload{.mesh = filling_quads(kLayers, true, 64, LayerOrder::back_to_front), .blend = true};
   const double fragments = static_cast<double>(workload.width_pixels) * workload.height_pixels * kLayers;
@@ -98,9 +107,11 @@ Curve attribute_curve(const CurveOptions& options) {
 }
 
 Curve thread_curve(const CurveOptions& options) {
-  Curve curve{.name = "threads", .title = "Threads",
-              .explanation = "Whole frames of the workloads that peers are compared on. <code>script/bench account</code> has all of them, and "
-                             "what more threads than this machine's would do. An exponent of -1 were perfect.",
+  Curve curve{.name = "threads",
+              .title = "Threads",
+              .explanation =
+                  "Whole frames of the workloads that peers are compared on. <code>script/bench account</code> has "
+                  "all of them, and what more threads than this machine's would do. An exponent of -1 were perfect.",
               .chart = {.x = {"threads"}, .y = {"ms a frame"}, .series = {}}};
   for (const char* name : {"fill_blend", "fill_tex_trilinear", "small_tris", "vertex_bound_lit", "scene_textured"}) {
     const auto workload = make_workload(name);

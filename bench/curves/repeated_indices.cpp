@@ -30,10 +30,12 @@ struct MemoryFile {
 
 Result<RepeatedIndices> RepeatedIndices::create(std::span<const std::uint32_t> period, std::size_t indices) {
   const std::size_t bytes = period.size_bytes();
-  TUBERIA_ASSERT(bytes > 0 && bytes % static_cast<std::size_t>(sysconf(_SC_PAGESIZE)) == 0, "a period fills whole pages");
+  TUBERIA_ASSERT(bytes > 0 && bytes % static_cast<std::size_t>(sysconf(_SC_PAGESIZE)) == 0,
+                 "a period fills whole pages");
   const MemoryFile file;
   if (file.descriptor < 0) return system_error("no file in memory");
-  if (write(file.descriptor, period.data(), bytes) != static_cast<ssize_t>(bytes)) return system_error("cannot write the indices");
+  if (write(file.descriptor, period.data(), bytes) != static_cast<ssize_t>(bytes))
+    return system_error("cannot write the indices");
 
   // Addresses for all of it, then the file's pages into each piece.
   const std::size_t pieces = (indices + period.size() - 1) / period.size();
@@ -49,7 +51,8 @@ Result<RepeatedIndices> RepeatedIndices::create(std::span<const std::uint32_t> p
 }
 
 RepeatedIndices::RepeatedIndices(RepeatedIndices&& other) noexcept
-    : first_(std::exchange(other.first_, nullptr)), count_(std::exchange(other.count_, 0)),
+    : first_(std::exchange(other.first_, nullptr)),
+      count_(std::exchange(other.count_, 0)),
       mapped_bytes_(std::exchange(other.mapped_bytes_, 0)) {}
 
 RepeatedIndices::~RepeatedIndices() {

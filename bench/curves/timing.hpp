@@ -26,7 +26,8 @@ double seconds_of(Work&& work, double budget_seconds) {
   const double first = timed();
   if (first > budget_seconds) return std::min(first, timed());
   std::vector<double> runs;
-  for (double spent = 0; runs.size() < kMostRuns && (runs.empty() || spent < budget_seconds); spent += runs.back()) runs.push_back(timed());
+  for (double spent = 0; runs.size() < kMostRuns && (runs.empty() || spent < budget_seconds); spent += runs.back())
+    runs.push_back(timed());
   return median(std::move(runs));
 }
 

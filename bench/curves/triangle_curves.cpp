@@ -66,7 +66,8 @@ struct CountedDraw {
   std::int64_t heap_bytes = 0, resident_bytes = 0;  // at most, beside the mesh and the target
 };
 
-CountedDraw draw_triangles(const DrawableMesh& mesh, std::span<const std::uint32_t> indices, const CurveOptions& options, int threads) {
+CountedDraw draw_triangles(const DrawableMesh& mesh, std::span<const std::uint32_t> indices,
+                           const CurveOptions& options, int threads) {
   RenderTarget target = *RenderTarget::create(kGridTargetPixels, kGridTargetPixels);
   const std::int64_t heap_before = heap_bytes(), resident_before = private_resident_bytes();
   restart_heap_peak();
@@ -75,7 +76,8 @@ CountedDraw draw_triangles(const DrawableMesh& mesh, std::span<const std::uint32
   CountedDraw counted;
   counted.seconds = seconds_of([&] { draw_or_abort(pipeline, target, draw); }, options.quick ? 0.1 : 1.0);
   counted.heap_bytes = heap_peak_bytes() - heap_before;
-  counted.resident_bytes = std::max<std::int64_t>(0, private_resident_bytes() - resident_before);  // the pipeline keeps its memory
+  counted.resident_bytes =
+      std::max<std::int64_t>(0, private_resident_bytes() - resident_before);  // the pipeline keeps its memory
   return counted;
 }
 
@@ -83,13 +85,15 @@ std::string mebibytes(std::int64_t bytes) { return number_text(static_cast<doubl
 
 std::string budget_sentence(double triangles, std::int64_t bytes) {
   const bool holds = bytes < kMemoryBudgetBytes;
-  const std::string text = "A draw of " + count_text(triangles) + " triangles took at most " + mebibytes(bytes) + " MiB beside the target, " +
-                           (holds ? "under" : "MORE THAN") + " " + mebibytes(kMemoryBudgetBytes) + " MiB.";
+  const std::string text = "A draw of " + count_text(triangles) + " triangles took at most " + mebibytes(bytes) +
+                           " MiB beside the target, " + (holds ? "under" : "MORE THAN") + " " +
+                           mebibytes(kMemoryBudgetBytes) + " MiB.";
   return holds ? "<p><b>" + text + "</b></p>\n" : "<p class=\"alarm\">" + text + "</p>\n";
 }
 
 /// An equilateral triangle of this area around a centre, turned anyhow; corners may lie outside.
-void add_triangle(DrawableMesh& mesh, glm::dvec2 centre_pixels, double area_pixels, double target_pixels, float depth, std::mt19937& random) {
+void add_triangle(DrawableMesh& mesh, glm::dvec2 centre_pixels, double area_pixels, double target_pixels, float depth,
+                  std::mt19937& random) {
   const double radius = std::sqrt(area_pixels * 4 / (3 * std::numbers::sqrt3));  // of the circumcircle
   std::uniform_real_distribution<float> unit(0, 1);
   const double turn = unit(random) * 2 * std::numbers::pi;
@@ -97,7 +101,8 @@ void add_triangle(DrawableMesh& mesh, glm::dvec2 centre_pixels, double area_pixe
     const double angle = turn + corner * 2 * std::numbers::pi / 3;
     const glm::dvec2 at = centre_pixels + radius * glm::dvec2(std::cos(angle), std::sin(angle));
     mesh.indices.push_back(static_cast<std::uint32_t>(mesh.positions.size()));
-    mesh.positions.push_back({static_cast<float>(2 * at.x / target_pixels - 1), static_cast<float>(2 * at.y / target_pixels - 1), depth});
+    mesh.positions.push_back(
+        {static_cast<float>(2 * at.x / target_pixels - 1), static_cast<float>(2 * at.y / target_pixels - 1), depth});
     mesh.colours.push_back({unit(random), unit(random), unit(random), 0.5f});
   }
 }
@@ -123,17 +128,23 @@ DrawableMesh scattered_triangles(int count, double area_pixels, double target_pi
 }  // namespace
 
 Curve triangle_count_curve(const CurveOptions& options) {
-  Curve curve{.name = "triangles", .title = "Triangles in one draw",
-              .explanation = "One draw of so many triangles of 4 pixels into 512 &times; 512, depth tested, colours interpolated. The index "
-                             "list is one piece of memory mapped many times in a row, so that only its addresses grow.",
+  Curve curve{.name = "triangles",
+              .title = "Triangles in one draw",
+              .explanation =
+                  "One draw of so many triangles of 4 pixels into 512 &times; 512, depth tested, colours "
+                  "interpolated. The index list is one piece of memory mapped many times in a row, so that only its "
+                  "addresses grow.",
               .chart = {.x = {"triangles"}, .y = {"ms"}, .series = {}}};
   const DrawableMesh mesh = repeated_grid();
-  Table table{.headings = {"triangles", "ms", "M triangles a second", "peak heap MiB", "resident MiB more"}, .rows = {}};
-  Series many{.name = std::to_string(options.threads) + " threads", .points = {}}, one{.name = "1 thread", .points = {}};
+  Table table{.headings = {"triangles", "ms", "M triangles a second", "peak heap MiB", "resident MiB more"},
+              .rows = {}};
+  Series many{.name = std::to_string(options.threads) + " threads", .points = {}},
+      one{.name = "1 thread", .points = {}};
   for (double triangles = 1e3; triangles <= (options.quick ? 1e6 : 1e8); triangles *= 10) {
     const auto indices = RepeatedIndices::create(mesh.indices, static_cast<std::size_t>(3 * triangles));
     if (!indices) {
-      curve.more_html += "<p class=\"alarm\">" + escaped(count_text(triangles) + " triangles: " + indices.error().message) + "</p>\n";
+      curve.more_html +=
+          "<p class=\"alarm\">" + escaped(count_text(triangles) + " triangles: " + indices.error().message) + "</p>\n";
       break;
     }
     const CountedDraw drawn = draw_triangles(mesh, indices->indices(), options, options.threads);
@@ -143,8 +154,9 @@ Curve triangle_count_curve(const CurveOptions& options) {
       one.points.push_back({triangles, 1e3 * draw_triangles(mesh, indices->indices(), options, 1).seconds});
       tell(curve.name, one.name, triangles, one.points.back().y, "ms");
     }
-    table.rows.push_back({count_text(triangles), number_text(1e3 * drawn.seconds), number_text(1e-6 * triangles / drawn.seconds),
-                          mebibytes(drawn.heap_bytes), mebibytes(drawn.resident_bytes)});
+    table.rows.push_back({count_text(triangles), number_text(1e3 * drawn.seconds),
+                          number_text(1e-6 * triangles / drawn.seconds), mebibytes(drawn.heap_bytes),
+                          mebibytes(drawn.resident_bytes)});
     const std::int64_t bytes = std::max(drawn.heap_bytes, drawn.resident_bytes);
     curve.more_html = budget_sentence(triangles, bytes) + table.html();
   }
@@ -156,9 +168,12 @@ Curve triangle_count_curve(const CurveOptions& options) {
 Curve triangle_size_curve(const CurveOptions& options) {
   constexpr int kTargetPixels = 2048;
   constexpr double kFragments = 3e7;
-  Curve curve{.name = "triangle size", .title = "Size of triangles",
-              .explanation = "Triangles of one area all over 2048 &times; 2048, in random directions, neighbours after neighbours, back to front. Blended "
-                             "ones are shaded wherever they are; of opaque ones those behind need not be.",
+  Curve curve{.name = "triangle size",
+              .title = "Size of triangles",
+              .explanation =
+                  "Triangles of one area all over 2048 &times; 2048, in random directions, neighbours after "
+                  "neighbours, back to front. Blended ones are shaded wherever they are; of opaque ones those behind "
+                  "need not be.",
               .chart = {.x = {"pixels a triangle"}, .y = {"ns a triangle"}, .series = {}}};
   std::vector<double> areas;
   for (double area = 0.5; area < 1e6; area *= options.quick ? 16 : 4) areas.push_back(area);

@@ -33,8 +33,11 @@ std::string short_text(double value) {
 class Scale {
  public:
   Scale(bool logarithmic, double low, double high, double begin, double end)
-      : logarithmic_(logarithmic), low_(logarithmic ? std::log10(low) : 0), high_(logarithmic ? std::log10(high) : high),
-        begin_(begin), end_(end) {
+      : logarithmic_(logarithmic),
+        low_(logarithmic ? std::log10(low) : 0),
+        high_(logarithmic ? std::log10(high) : high),
+        begin_(begin),
+        end_(end) {
     const double margin = 0.04 * (high_ - low_) + (logarithmic ? 0.02 : 0);
     high_ += margin;
     if (logarithmic) low_ -= margin;
@@ -128,7 +131,8 @@ std::string law_line(const Series& series, const Scale& x, const Scale& y, const
   if (!series.law) return {};
   const auto at = [&](double value) { return series.law->factor * std::pow(value, series.law->exponent); };
   const double from = series.law->from, to = series.law->to;
-  return line(x(from), y(at(from)), x(to), y(at(to)), "stroke=\"" + stroke + "\" stroke-width=\"6\" stroke-opacity=\".25\" stroke-linecap=\"round\"");
+  return line(x(from), y(at(from)), x(to), y(at(to)),
+              "stroke=\"" + stroke + "\" stroke-width=\"6\" stroke-opacity=\".25\" stroke-linecap=\"round\"");
 }
 
 std::string drawn(const Series& series, const Scale& x, const Scale& y, const std::string& stroke) {
@@ -137,8 +141,10 @@ std::string drawn(const Series& series, const Scale& x, const Scale& y, const st
     char text[160];
     std::snprintf(text, sizeof text, "%s%.1f %.1f", path.empty() ? "M" : " L", x(point.x), y(point.y));
     path += text;
-    std::snprintf(text, sizeof text, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"3.5\" fill=\"%s\"><title>", x(point.x), y(point.y), stroke.c_str());
-    points += text + escaped(series.name) + ": " + number_text(point.x) + ", " + number_text(point.y) + "</title></circle>\n";
+    std::snprintf(text, sizeof text, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"3.5\" fill=\"%s\"><title>", x(point.x),
+                  y(point.y), stroke.c_str());
+    points +=
+        text + escaped(series.name) + ": " + number_text(point.x) + ", " + number_text(point.y) + "</title></circle>\n";
   }
   return "<path d=\"" + path + "\" fill=\"none\" stroke=\"" + stroke + "\" stroke-width=\"1.75\"/>\n" + points;
 }
@@ -150,7 +156,8 @@ std::string key_of(const Chart& chart) {
     key += "<span><span class=\"swatch\" style=\"background:" + colour(i) + "\"></span>" + escaped(series.name);
     if (series.law) {
       const std::string text = "exponent " + exponent_text(*series.law);
-      key += is_superlinear(*series.law) ? ", <span class=\"alarm\">" + text + ": more than proportional</span>" : ", " + text;
+      key += is_superlinear(*series.law) ? ", <span class=\"alarm\">" + text + ": more than proportional</span>"
+                                         : ", " + text;
     }
     key += "</span>";
   }
@@ -173,7 +180,9 @@ std::string figure_of(const Chart& chart) {
   const Scale x(chart.x.logarithmic, xs.low, xs.high, kLeft, kWidth - kRight);
   const Scale y(chart.y.logarithmic, ys.low, ys.high, kHeight - kBottom, kTop);
   char begin[160];
-  std::snprintf(begin, sizeof begin, "<figure style=\"max-width:%.0fpx\">\n<svg viewBox=\"0 0 %.0f %.0f\" width=\"%.0f\" role=\"img\">\n", kWidth, kWidth, kHeight, kWidth);
+  std::snprintf(begin, sizeof begin,
+                "<figure style=\"max-width:%.0fpx\">\n<svg viewBox=\"0 0 %.0f %.0f\" width=\"%.0f\" role=\"img\">\n",
+                kWidth, kWidth, kHeight, kWidth);
   std::string svg = begin + axes(chart, x, y);
   for (std::size_t i = 0; i < chart.series.size(); ++i) svg += law_line(chart.series[i], x, y, colour(i));
   for (std::size_t i = 0; i < chart.series.size(); ++i) svg += drawn(chart.series[i], x, y, colour(i));

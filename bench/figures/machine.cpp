@@ -37,7 +37,7 @@ std::string compiler_name() {
 // and 1 cycles on every x86 core of the last fifteen years (and 4 or 5 together on others). The
 // fastest of several tries is the one that was not interrupted.
 double measure_clock_hertz() {
-  constexpr int kSteps = 5'000'000, kTries = 5;
+  constexpr int kSteps = 500'000, kTries = 100;  // half a millisecond each
   constexpr double kCyclesPerStep = 4;
   double best = 0;
   for (int attempt = 0; attempt < kTries; ++attempt) {
@@ -66,8 +66,8 @@ Machine this_machine(const std::string& commit) {
 
 std::string sentence_of(const Machine& machine) {
   char numbers[64];
-  std::snprintf(numbers, sizeof numbers, ", %d %s at %.2f GHz (measured), ", machine.cores, machine.cores == 1 ? "core" : "cores",
-                machine.clock_hertz * 1e-9);
+  std::snprintf(numbers, sizeof numbers, ", %d %s at %.2f GHz (measured), ", machine.cores,
+                machine.cores == 1 ? "core" : "cores", machine.clock_hertz * 1e-9);
   std::string sentence = machine.processor + numbers + machine.compiler + ", " + machine.date;
   if (!machine.commit.empty()) sentence += ", commit " + machine.commit;
   return sentence;

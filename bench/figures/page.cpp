@@ -76,7 +76,10 @@ std::string number_text(double value) {
     std::snprintf(text, sizeof text, "%.2e", value);
     return text;
   }
-  const int decimals = magnitude >= 100 ? 0 : magnitude >= 10 ? 1 : magnitude >= 1 ? 2 : 2 - static_cast<int>(std::floor(std::log10(magnitude)));
+  const int decimals = magnitude >= 100  ? 0
+                       : magnitude >= 10 ? 1
+                       : magnitude >= 1  ? 2
+                                         : 2 - static_cast<int>(std::floor(std::log10(magnitude)));
   return with_decimals(value, decimals);
 }
 
@@ -106,8 +109,9 @@ Result<Nothing> Page::write(const std::string& path) const {
   std::ofstream file(path);
   file << "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
        << "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" << escaped(title_)
-       << "</title>\n<style>" << kStyle << "</style>\n</head>\n<body>\n<header>\n<h1>" << escaped(title_) << "</h1>\n<p>" << lede_
-       << "</p>\n</header>\n" << sections_ << "</body>\n</html>\n";
+       << "</title>\n<style>" << kStyle << "</style>\n</head>\n<body>\n<header>\n<h1>" << escaped(title_)
+       << "</h1>\n<p>" << lede_ << "</p>\n</header>\n"
+       << sections_ << "</body>\n</html>\n";
   file.close();
   if (!file) return Error{"cannot write " + path};
   return Nothing{};

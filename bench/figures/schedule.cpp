@@ -12,7 +12,8 @@ namespace tuberia::bench {
 double makespan(std::span<const double> items, int threads) {
   TUBERIA_ASSERT(threads >= 1, "a loop needs a thread");
   // When each thread becomes free, the earliest on top.
-  std::priority_queue<double, std::vector<double>, std::greater<>> free_at(std::greater<>{}, std::vector<double>(static_cast<std::size_t>(threads), 0.0));
+  std::priority_queue<double, std::vector<double>, std::greater<>> free_at(
+      std::greater<>{}, std::vector<double>(static_cast<std::size_t>(threads), 0.0));
   double end = 0;
   for (const double item : items) {
     const double done = free_at.top() + item;

@@ -43,7 +43,8 @@ std::optional<PowerLaw> fit_power_law(std::span<const CurvePoint> points) {
   if (!(xx > 0)) return {};
 
   PowerLaw law{.exponent = xy / xx, .factor = std::exp(mean_y - xy / xx * mean_x)};
-  const auto [least, most] = std::minmax_element(points.begin(), points.end(), [](const CurvePoint& a, const CurvePoint& b) { return a.x < b.x; });
+  const auto [least, most] = std::minmax_element(points.begin(), points.end(),
+                                                 [](const CurvePoint& a, const CurvePoint& b) { return a.x < b.x; });
   law.from = least->x;
   law.to = most->x;
   if (points.size() > 2) {

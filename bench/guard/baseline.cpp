@@ -31,7 +31,8 @@ const InstructionCount* find(const std::vector<InstructionCount>& counts, const 
 /// What is wrong with the line, or nothing.
 std::string take_line(std::string_view line, Baseline& baseline) {
   const std::size_t blank = line.find_first_of(kBlanks);
-  if (blank == std::string_view::npos) return in_quotes(line) + " stands alone; a workload and its instructions are expected";
+  if (blank == std::string_view::npos)
+    return in_quotes(line) + " stands alone; a workload and its instructions are expected";
   const std::string name(line.substr(0, blank));
   const std::string_view rest = trimmed(line.substr(blank));
   if (name == kCompiler) {
@@ -98,18 +99,22 @@ std::string text_of(const Baseline& baseline) {
   text += std::string(kCompiler) + " " + baseline.compiler + "\n";
   for (const InstructionCount& count : baseline.counts) {
     char line[128];
-    std::snprintf(line, sizeof line, "%-20s %12lld\n", count.workload.c_str(), static_cast<long long>(count.instructions));
+    std::snprintf(line, sizeof line, "%-20s %12lld\n", count.workload.c_str(),
+                  static_cast<long long>(count.instructions));
     text += line;
   }
   return text;
 }
 
-std::vector<Comparison> compare(const std::vector<InstructionCount>& recorded, const std::vector<InstructionCount>& counted) {
+std::vector<Comparison> compare(const std::vector<InstructionCount>& recorded,
+                                const std::vector<InstructionCount>& counted) {
   std::vector<Comparison> comparisons;
   for (const auto& [workload, instructions] : counted) {
     const InstructionCount* before = find(recorded, workload);
     if (before == nullptr) comparisons.push_back({workload, Verdict::not_recorded, 0, instructions});
-    else comparisons.push_back({workload, verdict_of(before->instructions, instructions), before->instructions, instructions});
+    else
+      comparisons.push_back(
+          {workload, verdict_of(before->instructions, instructions), before->instructions, instructions});
   }
   for (const auto& [workload, instructions] : recorded)
     if (find(counted, workload) == nullptr) comparisons.push_back({workload, Verdict::not_counted, instructions, 0});
@@ -133,8 +138,9 @@ std::string table_of(const std::vector<Comparison>& comparisons) {
       std::snprintf(percent, sizeof percent, "%+.2f %%", each.percent());
       change = percent;
     }
-    std::snprintf(line, sizeof line, "%-20s %12s %12s %9s  %s", each.workload.c_str(), in_millions(each.recorded).c_str(),
-                  in_millions(each.counted).c_str(), change.c_str(), words_of(each.verdict));
+    std::snprintf(line, sizeof line, "%-20s %12s %12s %9s  %s", each.workload.c_str(),
+                  in_millions(each.recorded).c_str(), in_millions(each.counted).c_str(), change.c_str(),
+                  words_of(each.verdict));
     table += std::string(trimmed(line)) + "\n";
   }
   return table;

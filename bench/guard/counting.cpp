@@ -47,7 +47,8 @@ Result<Nothing> draw_counted_frame(const std::string& name) {
   return Nothing{};
 }
 
-ScratchFolder::ScratchFolder() : path_(std::filesystem::temp_directory_path() / ("tuberia_counts_" + std::to_string(getpid()))) {
+ScratchFolder::ScratchFolder()
+    : path_(std::filesystem::temp_directory_path() / ("tuberia_counts_" + std::to_string(getpid()))) {
   std::filesystem::create_directories(path_);
 }
 
@@ -58,9 +59,11 @@ ScratchFolder::~ScratchFolder() {
 
 Result<std::int64_t> count_instructions(const std::string& workload, const ScratchFolder& scratch) {
   const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe");
-  const std::filesystem::path counts = scratch.path() / (workload + ".callgrind"), log = scratch.path() / (workload + ".log");
-  const std::string command = "valgrind --tool=callgrind --callgrind-out-file=" + quoted(counts) + " --toggle-collect='" +
-                              kCountedFunction + "' " + quoted(program) + " --draw " + workload + " > " + quoted(log) + " 2>&1";
+  const std::filesystem::path counts = scratch.path() / (workload + ".callgrind"),
+                              log = scratch.path() / (workload + ".log");
+  const std::string command = "valgrind --tool=callgrind --callgrind-out-file=" + quoted(counts) +
+                              " --toggle-collect='" + kCountedFunction + "' " + quoted(program) + " --draw " +
+                              workload + " > " + quoted(log) + " 2>&1";
   if (std::system(command.c_str()) != 0) {
     std::ifstream file(log);
     std::string said, line;

@@ -38,7 +38,8 @@ std::string this_compiler() {
 }
 
 bool parse(int argc, char** argv, Options& options, int& status) {
-  CLI::App app{"Counts the instructions of eight small frames and compares them with recorded counts.", "tuberia_check"};
+  CLI::App app{"Counts the instructions of eight small frames and compares them with recorded counts.",
+               "tuberia_check"};
   app.add_option("--baseline", options.baseline_file, "The recorded counts")->capture_default_str();
   auto* record = app.add_flag("--record", options.record, "Write the counts to the baseline instead of comparing");
   app.add_option("--draw", options.drawn, "Only draw this workload: what runs under valgrind")->excludes(record);
@@ -86,8 +87,12 @@ int report(const Baseline& baseline, const std::vector<InstructionCount>& counts
                 baseline.compiler.c_str(), this_compiler().c_str());
     return 0;
   }
-  const bool better = std::any_of(comparisons.begin(), comparisons.end(), [](const Comparison& each) { return each.verdict == Verdict::better; });
-  if (!passed) std::printf("More than %g %% above the recorded count, or not on both sides. If there is a good reason, record it.\n", kTolerancePercent);
+  const bool better = std::any_of(comparisons.begin(), comparisons.end(),
+                                  [](const Comparison& each) { return each.verdict == Verdict::better; });
+  if (!passed)
+    std::printf(
+        "More than %g %% above the recorded count, or not on both sides. If there is a good reason, record it.\n",
+        kTolerancePercent);
   else std::printf("No frame costs over %g %% more than recorded.\n", kTolerancePercent);
   if (!passed || better) std::printf("To record: script/bench check --record\n");
   return passed ? 0 : 1;

@@ -30,7 +30,8 @@ Workload layers(bool blend) {
 }
 
 Workload trilinear_planes() {
-  return sized({.mesh = leaning_planes(4, 16.0f / 9), .clip_from_view = wide_perspective(0.1, 100),
+  return sized({.mesh = leaning_planes(4, 16.0f / 9),
+                .clip_from_view = wide_perspective(0.1, 100),
                 .filter = Filter::linear_mipmap_linear});
 }
 
@@ -39,21 +40,29 @@ Workload grid(int columns, int rows, int how_many) {
 }
 
 Workload depth_grid() {
-  return {.mesh = jittered_grids(32, 32, 8, LayerOrder::back_to_front), .depth_only = true,
-          .width_pixels = kDepthOnlySize, .height_pixels = kDepthOnlySize};
+  return {.mesh = jittered_grids(32, 32, 8, LayerOrder::back_to_front),
+          .depth_only = true,
+          .width_pixels = kDepthOnlySize,
+          .height_pixels = kDepthOnlySize};
 }
 
 Workload lit_sphere() {
   return sized({.mesh = unit_sphere(200),
                 .view_from_object = compose(translation({0, 0, -18.6}), rotation({1, 0, 0}, 0.4)),
-                .clip_from_view = wide_perspective(0.1, 100), .cull_back = true, .lit = true, .specular = true});
+                .clip_from_view = wide_perspective(0.1, 100),
+                .cull_back = true,
+                .lit = true,
+                .specular = true});
 }
 
 // Between the houses of a small city, so that its floor and the nearest walls are clipped.
 Workload clipped_city() {
   const glm::mat4 turn = compose(rotation({1, 0, 0}, 0.14), rotation({0, 1, 0}, 0.2));
-  return sized({.mesh = city(16), .view_from_object = compose(turn, translation({-0.3, -1.7, -12})),
-                .clip_from_view = wide_perspective(0.5, 400), .filter = Filter::linear_mipmap_linear, .cull_back = true,
+  return sized({.mesh = city(16),
+                .view_from_object = compose(turn, translation({-0.3, -1.7, -12})),
+                .clip_from_view = wide_perspective(0.5, 400),
+                .filter = Filter::linear_mipmap_linear,
+                .cull_back = true,
                 .lit = true});
 }
 
@@ -61,7 +70,7 @@ constexpr SmallRecipe kRecipesInSmall[] = {
     {"fill", [] { return layers(false); }},
     {"blend", [] { return layers(true); }},
     {"texture_trilinear", trilinear_planes},
-    {"small_triangles", [] { return grid(40, 23, 4); }},  // 31 pixels each
+    {"small_triangles", [] { return grid(40, 23, 4); }},   // 31 pixels each
     {"tiny_triangles", [] { return grid(226, 127, 1); }},  // 1 pixel each
     {"depth_only", depth_grid},
     {"lit_vertices", lit_sphere},

@@ -61,7 +61,8 @@ TEST_CASE("memory: repeated indices read as their period, over and over, up to a
   REQUIRE(indices.ok());
   REQUIRE(indices->indices().size() == 5 * kPeriod - 3);
   bool equal = true;
-  for (std::size_t i = 0; i < indices->indices().size(); ++i) equal = equal && indices->indices()[i] == period[i % kPeriod];
+  for (std::size_t i = 0; i < indices->indices().size(); ++i)
+    equal = equal && indices->indices()[i] == period[i % kPeriod];
   CHECK(equal);
 }
 

@@ -13,9 +13,12 @@ std::size_t how_often(const std::string& text, const std::string& part) {
 }
 
 std::string figure_with_exponent(double exponent) {
-  return figure_of({.x = {"triangles"}, .y = {"ms"},
-                    .series = {{.name = "a", .points = {{1, 1}, {10, 12}, {100, 130}},
-                                .law = PowerLaw{.exponent = exponent, .factor = 1, .standard_error = 0.01, .from = 1, .to = 100}}}});
+  return figure_of(
+      {.x = {"triangles"},
+       .y = {"ms"},
+       .series = {{.name = "a",
+                   .points = {{1, 1}, {10, 12}, {100, 130}},
+                   .law = PowerLaw{.exponent = exponent, .factor = 1, .standard_error = 0.01, .from = 1, .to = 100}}}});
 }
 
 }  // namespace
@@ -44,7 +47,9 @@ TEST_CASE("chart: an exponent above 1.05 is marked, one below is not", "[bench]"
 }
 
 TEST_CASE("chart: every point of every series is drawn, inside the picture", "[bench]") {
-  const Chart chart{.x = {"scalars", false}, .y = {"ns"}, .series = {{.name = "a", .points = {{0, 1}, {16, 1000}}}, {.name = "b", .points = {{4, 3}}}}};
+  const Chart chart{.x = {"scalars", false},
+                    .y = {"ns"},
+                    .series = {{.name = "a", .points = {{0, 1}, {16, 1000}}}, {.name = "b", .points = {{4, 3}}}}};
   const std::string figure = figure_of(chart);
   CHECK(how_often(figure, "<circle") == 3);
   CHECK(figure.find("nan") == std::string::npos);
