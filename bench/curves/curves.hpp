@@ -21,7 +21,8 @@ struct Curve {
   std::string name, title;
   std::string explanation;  // HTML
   Chart chart;
-  std::string more_html{};  // under the chart
+  std::string remark_html{};  // beside the chart
+  std::string table_html{};   // instead of a table of the chart's points
 };
 
 Curve triangle_count_curve(const CurveOptions& options);

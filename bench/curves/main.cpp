@@ -4,9 +4,11 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
-#include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <map>
 #include <string>
 #include <thread>
 #include <vector>
@@ -123,6 +125,24 @@ std::string json_of(const std::vector<Curve>& curves, const Machine& machine) {
   return Json{{"machine", sentence_of(machine)}, {"curves", list}}.dump(2) + "\n";
 }
 
+/// A row for each x that any series has.
+Table table_of(const Chart& chart) {
+  Table table{.headings = {escaped(chart.x.label)}, .rows = {}};
+  std::map<double, std::vector<std::string>> rows;
+  for (std::size_t i = 0; i < chart.series.size(); ++i) {
+    table.headings.push_back(escaped(chart.series[i].name) + ",<br>" + escaped(chart.y.label));
+    for (const CurvePoint& point : chart.series[i].points) {
+      std::vector<std::string>& cells = rows.try_emplace(point.x, chart.series.size(), "-").first->second;
+      cells[i] = number_text(point.y);
+    }
+  }
+  for (const auto& [x, cells] : rows) {
+    table.rows.push_back({x == std::floor(x) ? count_text(x) : number_text(x)});
+    table.rows.back().insert(table.rows.back().end(), cells.begin(), cells.end());
+  }
+  return table;
+}
+
 Page page_of(const std::vector<Curve>& curves, const Machine& machine, const CurveOptions& options) {
   const std::string how = ". " + std::string(name_of(options.instruction_set)) + ", " +
                           (options.precision == Precision::exact ? "exact" : "fast") + " precision; up to " +
@@ -134,9 +154,11 @@ Page page_of(const std::vector<Curve>& curves, const Machine& machine, const Cur
                      escaped(verdict_of(curves)) + "</b>";
   if (options.quick) lede += " <span class=\"alarm\">A quick run: not to be quoted.</span>";
   Page page("What it costs", lede);
-  for (const Curve& curve : curves)
+  for (const Curve& curve : curves) {
+    const std::string beside = curve.table_html.empty() ? table_of(curve.chart).html() : curve.table_html;
     page.add_section(curve.title, "<p>" + curve.explanation + "</p>\n<div class=\"row\">\n" + figure_of(curve.chart) +
-                                      "<div>\n" + curve.more_html + "</div>\n</div>\n");
+                                      "<div>\n" + curve.remark_html + beside + "</div>\n</div>\n");
+  }
   return page;
 }
 

@@ -61,7 +61,7 @@ Curve target_size_curve(const CurveOptions& options) {
     const double pixels = static_cast<double>(side) * side;
     if (const auto room = static_cast<double>(available_bytes());
         room > 0 && room < pixels * kBytesPerPixel + kRoomBeside) {
-      curve.more_html =
+      curve.remark_html =
           "<p>Not measured for want of memory: " + count_text(side) + " &times; " + count_text(side) + ".</p>\n";
       break;
     }

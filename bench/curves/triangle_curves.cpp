@@ -136,14 +136,14 @@ Curve triangle_count_curve(const CurveOptions& options) {
                   "addresses grow.",
               .chart = {.x = {"triangles"}, .y = {"ms"}, .series = {}}};
   const DrawableMesh mesh = repeated_grid();
-  Table table{.headings = {"triangles", "ms", "M triangles a second", "peak heap MiB", "resident MiB more"},
+  Table table{.headings = {"triangles", "ms", "M triangles<br>a second", "peak heap<br>MiB", "resident<br>MiB more"},
               .rows = {}};
   Series many{.name = std::to_string(options.threads) + " threads", .points = {}},
       one{.name = "1 thread", .points = {}};
   for (double triangles = 1e3; triangles <= (options.quick ? 1e6 : 1e8); triangles *= 10) {
     const auto indices = RepeatedIndices::create(mesh.indices, static_cast<std::size_t>(3 * triangles));
     if (!indices) {
-      curve.more_html +=
+      curve.remark_html +=
           "<p class=\"alarm\">" + escaped(count_text(triangles) + " triangles: " + indices.error().message) + "</p>\n";
       break;
     }
@@ -158,7 +158,8 @@ Curve triangle_count_curve(const CurveOptions& options) {
                           number_text(1e-6 * triangles / drawn.seconds), mebibytes(drawn.heap_bytes),
                           mebibytes(drawn.resident_bytes)});
     const std::int64_t bytes = std::max(drawn.heap_bytes, drawn.resident_bytes);
-    curve.more_html = budget_sentence(triangles, bytes) + table.html();
+    curve.remark_html = budget_sentence(triangles, bytes);
+    curve.table_html = table.html();
   }
   curve.chart.series.push_back(std::move(many));
   if (options.threads > 1) curve.chart.series.push_back(std::move(one));

@@ -26,6 +26,7 @@ header p { margin: .3rem 0 0; max-width: 62rem; }
 section { margin-top: 1.4rem; padding: 1rem 1.25rem 1.2rem; background: var(--card); border: 1px solid var(--line); border-radius: 8px; }
 section > p { margin: .3rem 0 .8rem; max-width: 62rem; }
 .row { display: flex; flex-wrap: wrap; gap: 1.2rem 1.5rem; align-items: flex-start; }
+.row > div { flex: 1 1 20rem; min-width: 0; }
 figure { margin: 0; }
 figcaption { margin-top: .25rem; font-size: .85rem; }
 svg { display: block; max-width: 100%; height: auto; }
