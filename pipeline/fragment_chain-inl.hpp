@@ -70,6 +70,12 @@ class FragmentChain {
     passes_all_ = hidden_.tests_nothing();
   }
 
+  /// Asks memory for the pixels of a group that may be drawn soon.
+  HWY_INLINE void prepare(int index) const {
+    prefetch(reinterpret_cast<const char*>(tile_.depth + index));
+    prefetch(reinterpret_cast<const char*>(pixels(index)));
+  }
+
   /// Draws what has been covered.
   HWY_NOINLINE void flush() {
     for (int i = 0; i < groups_.count(); ++i) {

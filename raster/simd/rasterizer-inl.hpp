@@ -164,7 +164,7 @@ class TriangleWalk {
   }
 
   /// Adds every group of a small triangle with a covered pixel: its bounds are walked as they are.
-  /// Calls visit.flush() whenever the list is full.
+  /// Calls visit.prepare(index) for each group looked at, and visit.flush() whenever the list is full.
   template <class Visit>
   HWY_INLINE void cover_small(const Tile& tile, CoveredGroups<F>& list, Visit& visit) const {
     const ScreenTriangle& t = *triangle_;
@@ -184,6 +184,7 @@ class TriangleWalk {
       for (int x = first_x; x <= right_; x += kGroupWidth) {
         Mask covered = !is_negative(edge[0] | edge[1] | edge[2]);
         if (is_cut_) covered = covered & inside_clip(x, y);
+        visit.prepare(index_in_tile(x, y));
         list.add(t, index_in_tile(x, y), covered, mul_add(to_float<F>(edge[1]), scale, offset1), mul_add(to_float<F>(edge[2]), scale, offset2));
         for (int i = 0; i < 3; ++i) edge[i] = edge[i] + step_x[i];
       }
