@@ -62,8 +62,9 @@ class FragmentChain {
   HWY_INLINE void add(const ScreenTriangle& triangle, TriangleWalk<F>& walk) {
     if (!walk.begin(triangle, tile_, output_.clip)) return;
     if (walk.is_small()) return walk.cover_small(tile_, groups_, *this);
-    if (!walk.place(tile_) || hides_large(walk)) return;
-    flush();  // what is pending comes before the blocks that are taken whole
+    if (!walk.place(tile_)) return;
+    flush();  // what is pending comes first, and may not pass all
+    if (hides_large(walk)) return;
     begin(triangle);
     walk.cover_blocks(groups_, *this);
     flush();

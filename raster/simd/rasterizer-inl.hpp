@@ -8,6 +8,7 @@
 #endif
 
 #include <algorithm>
+#include <cmath>
 
 #include "raster/simd/number-inl.hpp"
 #include "raster/tile.hpp"
@@ -160,6 +161,11 @@ class TriangleWalk {
       const float small = extreme_weight(i, x, y, span, false), large = extreme_weight(i, x, y, span, true);
       lowest = (delta < 0 ? large : small) * delta + lowest;
       highest = (delta < 0 ? small : large) * delta + highest;
+    }
+    if constexpr (F::kPrecision == Precision::fast) {  // lanes fuse what is done here in two steps
+      const float margin = 0x1p-20f * (std::abs(triangle_->depth) + std::abs(triangle_->depth_delta[0]) + std::abs(triangle_->depth_delta[1]));
+      lowest -= margin;
+      highest += margin;
     }
   }
 
