@@ -45,8 +45,9 @@ class ColourBlocks {
     if (std::min(std::min(inverse_w[0], inverse_w[1]), inverse_w[2]) < kLeastInverse) return false;
     for (int i = 0; i < 4; ++i) {
       const bool varies = delta1_[i] != 0 || delta2_[i] != 0;
-      const float second = value_[i] + delta1_[i], third = value_[i] + delta2_[i], margin = varies ? kMargin : 0;
-      if (!(std::min(std::min(second, third), value_[i]) >= margin && std::max(std::max(second, third), value_[i]) <= 1 - margin)) return false;
+      const float margin = varies ? kMargin : 0;
+      const auto is_inside = [margin](float c) { return c >= margin && c <= 1 - margin; };  // not-a-number is not
+      if (!is_inside(value_[i]) || !is_inside(value_[i] + delta1_[i]) || !is_inside(value_[i] + delta2_[i])) return false;
     }
     return true;
   }

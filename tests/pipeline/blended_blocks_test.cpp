@@ -84,6 +84,7 @@ TEST_CASE("blended blocks: interpolated colours laid over whole blocks are those
           c = {channel(), channel(), channel(), layer % 3 == 0 ? random.between(0, 1) : alpha};
           if (layer % 4 == 3) c = {alpha, 1, 0, c.a};
         }
+        if (layer % 5 == 4) mesh.colours[static_cast<std::size_t>(random.below(4))].g = std::numeric_limits<float>::quiet_NaN();
         INFO("lean " << lean << ", layer " << layer);
         draw_both(fused, staged, {.mesh = mesh.view(), .program = gouraud(), .state = state});
       }

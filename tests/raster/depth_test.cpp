@@ -79,9 +79,10 @@ TEST_CASE("depth: the kernels store the nearest code", "[raster][exact]") {
     for (int round = 0; round < 1500; ++round) {
       BlockFloats depths;
       for (float& depth : depths) {
-        // Half of them anywhere, half next to where one 16-bit code becomes the next.
-        const double border = (static_cast<double>(random.below(65536)) + 0.5) / 65535;
-        depth = random.below(2) == 0 ? random.between(0, 1) : std::nextafter(static_cast<float>(border), random.between(0, 1));
+        // A third of them anywhere, the others next to where one code of 16 or 24 bits becomes the next.
+        const std::int64_t kind = random.below(3), bits = kind == 1 ? 16 : 24;
+        const double last = static_cast<double>((1 << bits) - 1), border = (static_cast<double>(random.below(1 << random.below(bits + 1))) + 0.5) / last;
+        depth = kind == 0 ? random.between(0, 1) : std::nextafter(static_cast<float>(border), random.between(0, 1));
       }
       for (const DepthFormat format : kDepthFormats) {
         const auto codes = codes_of(depths, format, set, precision);
