@@ -1,6 +1,7 @@
 #include "pipeline/vertex_fetch.hpp"
 
 #include <algorithm>
+#include <cstring>
 
 namespace tuberia {
 namespace {
@@ -45,7 +46,7 @@ std::int64_t primitive_count(Topology topology, std::int64_t elements) noexcept 
 
 void VertexFetch::operator()(const MeshView& mesh, Topology topology, PrimitiveRange range, VertexBatch& batch,
                              std::vector<std::uint32_t>& slots) {
-  cache_.fill({kNothing, 0});
+  std::memset(cache_.data(), 0xff, sizeof cache_);  // no vertex has that number
   batch.clipped.clear();
   // As many as there can be, so that the loop need not ask; cut to what came at the end.
   const std::size_t most = 3 * static_cast<std::size_t>(range.count) + 2;
@@ -55,16 +56,18 @@ void VertexFetch::operator()(const MeshView& mesh, Topology topology, PrimitiveR
   std::uint32_t* const source = source_.data();
   std::uint32_t vertices = 0;
 
+  const glm::vec3* const positions = mesh.positions.empty() ? nullptr : mesh.positions.data();
   const std::uint32_t* const indices = mesh.indices.empty() ? nullptr : mesh.indices.data();
   const auto fetch = [&](std::int64_t element) {
     const std::uint32_t vertex = indices == nullptr ? static_cast<std::uint32_t>(element) : indices[element];
-    // Without a branch: which vertices are new follows no pattern that a processor could guess.
     Entry& entry = cache_[vertex % kEntries];
-    const bool is_new = entry.vertex != vertex;
-    const std::uint32_t slot = is_new ? vertices : entry.slot;
-    entry = {vertex, slot};
-    source[vertices] = vertex;
-    vertices += is_new;
+    std::uint32_t slot = entry.slot;
+    if (entry.vertex != vertex) {
+      slot = vertices++;
+      entry = {vertex, slot};
+      source[slot] = vertex;
+      if (positions != nullptr) __builtin_prefetch(positions + vertex);  // the next stage wants it
+    }
     *next_slot++ = slot;
   };
   fetch_elements(static_cast<std::int64_t>(mesh.element_count()), topology, range, fetch);

@@ -31,7 +31,6 @@ class VertexFetch {
   // Direct-mapped: a mesh in any sensible order finds its vertices here, and one that does not
   // only transforms some twice.
   static constexpr std::size_t kEntries = 4096;
-  static constexpr std::uint32_t kNothing = 0xffffffffu;
   struct Entry {
     std::uint32_t vertex, slot;
   };
