@@ -19,6 +19,9 @@ class TileLists {
              double reach_pixels = 0);
 
   int tile_count() const noexcept { return tile_count_; }
+  /// No tile before the first and from the end on has any; both 0 when none has.
+  int first_tile() const noexcept { return static_cast<int>(first_tile_); }
+  int end_tile() const noexcept { return static_cast<int>(first_tile_ + listed_tiles_); }
   std::span<const std::uint16_t> of_tile(int tile) const noexcept {
     const std::size_t i = static_cast<std::uint32_t>(tile) - first_tile_;  // wraps around below it
     if (i >= listed_tiles_) return {};
