@@ -22,8 +22,10 @@ inline constexpr int kBlocks = kLanes / 4;
 /// Rows and columns of the 4x4 numbers in each block of four registers change places.
 HWY_INLINE void transpose_blocks(Int& a, Int& b, Int& c, Int& d) {
   const hn::RepartitionToWide<IntTag> wide;
-  const auto ab_low = hn::BitCast(wide, hn::InterleaveLower(IntTag{}, a.v, b.v)), ab_high = hn::BitCast(wide, hn::InterleaveUpper(IntTag{}, a.v, b.v));
-  const auto cd_low = hn::BitCast(wide, hn::InterleaveLower(IntTag{}, c.v, d.v)), cd_high = hn::BitCast(wide, hn::InterleaveUpper(IntTag{}, c.v, d.v));
+  const auto ab_low = hn::BitCast(wide, hn::InterleaveLower(IntTag{}, a.v, b.v));
+  const auto ab_high = hn::BitCast(wide, hn::InterleaveUpper(IntTag{}, a.v, b.v));
+  const auto cd_low = hn::BitCast(wide, hn::InterleaveLower(IntTag{}, c.v, d.v));
+  const auto cd_high = hn::BitCast(wide, hn::InterleaveUpper(IntTag{}, c.v, d.v));
   a = Int(hn::BitCast(IntTag{}, hn::InterleaveLower(wide, ab_low, cd_low)));
   b = Int(hn::BitCast(IntTag{}, hn::InterleaveUpper(wide, ab_low, cd_low)));
   c = Int(hn::BitCast(IntTag{}, hn::InterleaveLower(wide, ab_high, cd_high)));
