@@ -11,6 +11,7 @@
 
 #include "raster/attributes.hpp"
 #include "raster/simd/interpolation-inl.hpp"
+#include "raster/simd/quad-inl.hpp"
 #include "raster/simd/texture-inl.hpp"
 #include "raster/simd/vector-inl.hpp"
 

@@ -117,6 +117,11 @@ void Texture::point_levels_at_texels() noexcept {
   }
 }
 
+void Texture::note_opacity(std::size_t level) noexcept {
+  const auto is_opaque = [](std::uint32_t code) { return code >> 24 == 255; };
+  levels_[level].is_opaque = is_rectangle_of_codes() && std::all_of(texels_[level].begin(), texels_[level].end(), is_opaque);
+}
+
 Texture::Texture(const Texture& other) : shape_(other.shape_), texels_(other.texels_), floats_(other.floats_), levels_(other.levels_) {
   point_levels_at_texels();
 }
@@ -140,6 +145,7 @@ Result<Nothing> Texture::replace_slice(int level, int slice, const Image<Pixel>&
     if constexpr (std::is_same_v<Pixel, Rgba8>) store_texel(texels_[number][first + i], image.pixels()[i]);
     else store_texel(floats_[number].data() + (first + i) * floats_per_texel(format), image.pixels()[i]);
   }
+  note_opacity(number);
   return Nothing{};
 }
 
@@ -161,6 +167,7 @@ void Texture::generate_mipmaps() {
         case TextureFormat::depth32f: store_texel(floats_[i].data() + k, level.texels[k].r); break;
       }
     }
+    note_opacity(i);
   }
 }
 

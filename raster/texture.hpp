@@ -40,6 +40,7 @@ struct TextureLevel {
   const std::uint32_t* texels = nullptr;  // rgba8: red in the lowest byte, then green, blue, alpha
   int slices = 1;                         // of a box; 6 for a cube
   const float* floats = nullptr;          // rgba32f: 4 a texel, depth32f: 1
+  bool is_opaque = false;                 // a rectangle of codes whose alphas are all 255: then no alpha is filtered
 };
 
 class Texture {
@@ -96,6 +97,7 @@ class Texture {
  private:
   Texture() = default;
   void point_levels_at_texels() noexcept;
+  void note_opacity(std::size_t level) noexcept;
   template <class Pixel>
   Result<Nothing> replace_slice(int level, int slice, const Image<Pixel>& image, TextureFormat format);
   template <class Pixel>

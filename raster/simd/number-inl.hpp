@@ -109,17 +109,6 @@ HWY_INLINE Int shift_right(Int a) {
 /// Fills with the sign from the left: rounds down.
 template <int kBits>
 HWY_INLINE Int arithmetic_shift_right(Int a) { return Int(hn::ShiftRight<kBits>(a.v)); }
-/// Byte kByte of each lane, 0 being the lowest.
-template <int kByte>
-HWY_INLINE Int byte(Int a) {
-  if constexpr (kByte == 0) return a & Int(0xff);
-  if constexpr (kByte == 3) return shift_right<24>(a);
-  constexpr std::uint8_t kZero = 128;
-  constexpr int b = kByte;
-  alignas(16) static constexpr std::uint8_t kFrom[16] = {b, kZero, kZero, kZero, b + 4, kZero, kZero, kZero, b + 8, kZero, kZero, kZero, b + 12, kZero, kZero, kZero};
-  const hn::Repartition<std::uint8_t, IntTag> bytes;
-  return Int(hn::BitCast(IntTag{}, hn::TableLookupBytesOr0(hn::BitCast(bytes, a.v), hn::LoadDup128(bytes, kFrom))));
-}
 HWY_INLINE Int min(Int a, Int b) { return Int(hn::Min(a.v, b.v)); }
 HWY_INLINE Int max(Int a, Int b) { return Int(hn::Max(a.v, b.v)); }
 HWY_INLINE std::int32_t largest_lane(Int a) { return hn::GetLane(hn::MaxOfLanes(IntTag{}, a.v)); }
@@ -276,32 +265,6 @@ HWY_INLINE Float<P> inverse_sqrt(Float<P> a) {
     return Float<P>(1.0f) / sqrt(a);
   }
 }
-
-/// Horizontal and vertical difference inside each quad (right minus left, lower minus upper), the
-/// same for the two pixels of a row or column.
-template <Precision P>
-HWY_INLINE Float<P> difference_x(Float<P> a) {
-  return Float<P>(hn::Sub(hn::DupOdd(a.v), hn::DupEven(a.v)));
-}
-template <Precision P>
-HWY_INLINE Float<P> difference_y(Float<P> a) {
-  const auto upper = hn::Shuffle1032(a.v);  // the two rows of each quad change places
-  const auto delta = hn::Sub(upper, a.v);   // lower - upper in the upper row, its negative below
-  const auto sign_flipped = hn::Neg(delta);
-  const auto lane_in_quad = hn::And(hn::Iota(IntTag{}, 0), hn::Set(IntTag{}, 2));
-  return Float<P>(hn::IfThenElse(hn::RebindMask(FloatTag{}, hn::Eq(lane_in_quad, hn::Zero(IntTag{}))),
-                                 delta, sign_flipped));
-}
-
-/// The same where only the quad's upper left pixel is wanted; the others' mean nothing.
-template <Precision P>
-HWY_INLINE Float<P> first_difference_x(Float<P> a) { return Float<P>(hn::Sub(hn::Shuffle2301(a.v), a.v)); }
-template <Precision P>
-HWY_INLINE Float<P> first_difference_y(Float<P> a) { return Float<P>(hn::Sub(hn::Shuffle1032(a.v), a.v)); }
-
-/// The value of each quad's upper left pixel, in all four of its pixels.
-template <Precision P>
-HWY_INLINE Float<P> first_of_quad(Float<P> a) { return Float<P>(hn::Broadcast<0>(a.v)); }
 
 /// Column and row of each lane's pixel in the group of pixels that one register covers: see
 /// raster/block.hpp.

@@ -13,6 +13,7 @@
 #include "math/colour.hpp"
 #include "raster/sampler.hpp"
 #include "raster/simd/elementary-inl.hpp"
+#include "raster/simd/texel_fetch-inl.hpp"
 #include "raster/simd/vector-inl.hpp"
 #include "raster/texture.hpp"
 

@@ -7,6 +7,7 @@
 #define TUBERIA_KERNEL_FILE "raster/simd/texture_kernels.cpp"
 #include "raster/simd/every_instruction_set.hpp"
 
+#include "raster/simd/quad-inl.hpp"
 #include "raster/simd/rectangle-inl.hpp"
 #include "raster/simd/texture-inl.hpp"
 
@@ -63,11 +64,10 @@ HWY_INLINE Vec4<F> filtered(const CodeReader& from, F u, F v, std::uint32_t live
   const F squared = squared_step(texture, u, v), squared_at_least_1 = select(squared > 1.0f, squared, F(1.0f));
   const int level = common_level(from, squared_at_least_1, live, guess);
   if (level < 0) return sample_any_levels(from, reduced_u, reduced_v, squared, live);
-  const Vec4<F> finer = sample_level(from, level, reduced_u, reduced_v, mask_of(live));
-  if (sampler.mipmaps == MipmapFilter::nearest || level == texture.level_count() - 1) return finer;
-  if (none((squared > 1.0f) & mask_of(live))) return finer;
+  const bool is_one_level = sampler.mipmaps == MipmapFilter::nearest || level == texture.level_count() - 1 || none((squared > 1.0f) & mask_of(live));
+  if (is_one_level) return sample_level(from, level, reduced_u, reduced_v, mask_of(live));
   const F weight = level_of_detail(squared_at_least_1) - static_cast<float>(level);
-  return mix(finer, sample_level(from, level + 1, reduced_u, reduced_v, mask_of(live)), weight);
+  return mix_two_levels(from, level, reduced_u, reduced_v, weight, live);
 }
 
 template <Precision P>

@@ -10,6 +10,7 @@
 #include "raster/simd/every_instruction_set.hpp"
 
 #include "raster/simd/cube_map-inl.hpp"
+#include "raster/simd/quad-inl.hpp"
 #include "raster/simd/texture-inl.hpp"
 #include "raster/simd/texture_grid-inl.hpp"
 
@@ -149,8 +150,8 @@ HWY_INLINE Vec3<F> scaled(const Vec3<F>& v, const Vec3<F>& size) {
 
 template <class F>
 HWY_INLINE Steps<F> quad_steps(const Vec3<F>& v) {
-  const auto x = [](F a) HWY_ATTR { return first_of_quad(difference_x(a)); };
-  const auto y = [](F a) HWY_ATTR { return first_of_quad(difference_y(a)); };
+  const auto x = [](F a) HWY_ATTR { return first_of_quad(first_difference_x(a)); };
+  const auto y = [](F a) HWY_ATTR { return first_of_quad(first_difference_y(a)); };
   return {{x(v.x), x(v.y), x(v.z)}, {y(v.x), y(v.y), y(v.z)}};
 }
 
