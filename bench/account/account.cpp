@@ -20,6 +20,7 @@ double seconds_since(Clock::time_point begin) { return std::chrono::duration<dou
 struct FrameTimes {
   double clear = 0, other = 0;
   DrawTimes times;
+  std::vector<std::size_t> draw_ends;  // each draw's batches end before this one of times.batches
 
   double tiles() const {
     double sum = 0;
@@ -41,8 +42,11 @@ Result<FrameTimes> timed_frame(TuberiaPeer& peer, std::span<const DrawCall> draw
   peer.clear();
   frame.clear = seconds_since(begin);
   begin = Clock::now();
-  for (const DrawCall& draw : draws)
-    if (const auto drawn = peer.pipeline().draw(peer.target(), draw, frame.times); !drawn) return drawn.error();
+  for (const DrawCall& draw : draws) {
+    const auto drawn = peer.pipeline().draw(peer.target(), draw, frame.times);
+    if (!drawn) return drawn.error();
+    frame.draw_ends.push_back(frame.times.batches.size());
+  }
   const double known = static_cast<double>(frame.times.validation) * kNanosecond + frame.tiles() + frame.chunks();
   frame.other = std::max(0.0, seconds_since(begin) - known);
   return frame;
@@ -110,7 +114,14 @@ void share_out(const FrameTimes& frame, double tiles_without_colour, Account& ac
   account.frame_seconds = std::accumulate(account.seconds.begin(), account.seconds.end(), 0.0);
 }
 
-/// The clear and the check of the indices are loops of equal pieces; then chunks and tiles by turns.
+Batch batch_of(const BatchTimes& times) {
+  Batch batch;
+  for (const ChunkTimes& chunk : times.chunks) batch.chunks.push_back(static_cast<double>(chunk.total()) * kNanosecond);
+  for (const TileTimes& tile : times.tiles) batch.tiles.push_back(static_cast<double>(tile.total) * kNanosecond);
+  return batch;
+}
+
+/// The clear and the check of the indices are loops of equal pieces; then come the draws.
 Work work_of(const FrameTimes& frame, const Account& account, std::size_t indices, int tiles) {
   const auto even_loop = [](double seconds, std::size_t pieces) {
     return Loop(pieces, seconds / static_cast<double>(pieces));
@@ -118,12 +129,10 @@ Work work_of(const FrameTimes& frame, const Account& account, std::size_t indice
   Work work;
   work.loops.push_back(even_loop(frame.clear, static_cast<std::size_t>(tiles)));
   work.loops.push_back(even_loop(account.of(Item::validation), indices / kIndicesPerPiece + 1));
-  for (const BatchTimes& batch : frame.times.batches) {
-    Loop chunk_loop, tile_loop;
-    for (const ChunkTimes& chunk : batch.chunks) chunk_loop.push_back(static_cast<double>(chunk.total()) * kNanosecond);
-    for (const TileTimes& tile : batch.tiles) tile_loop.push_back(static_cast<double>(tile.total) * kNanosecond);
-    work.loops.push_back(std::move(chunk_loop));
-    work.loops.push_back(std::move(tile_loop));
+  std::size_t next = 0;
+  for (const std::size_t end : frame.draw_ends) {
+    work.draws.emplace_back();
+    for (; next < end; ++next) work.draws.back().push_back(batch_of(frame.times.batches[next]));
   }
   work.alone = account.of(Item::other);
   return work;

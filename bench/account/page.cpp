@@ -167,9 +167,9 @@ Table table_of_schedules(std::span<const Account> accounts) {
   for (const Account& account : accounts) {
     const Work& work = account.work;
     std::vector<std::string> row{escaped(account.workload), milliseconds(work.total()), milliseconds(work.alone),
-                                 milliseconds(work.longest_chain())};
+                                 milliseconds(work.longest_chain(kMostSimulatedThreads))};
     for (const int threads : kSimulatedThreads) row.push_back(percent(work.balance(threads), 1));
-    row.push_back(number_text(work.total() / work.duration(64)));
+    row.push_back(number_text(work.total() / work.duration(kMostSimulatedThreads)));
     row.push_back(number_text(work.total() / work.duration(2)));
     const std::string measured = number_text(account.speed_up_of_two);
     row.push_back(scales_too_little(account) ? "<span class=\"alarm\">" + measured + "</span>" : measured);
@@ -197,9 +197,9 @@ constexpr const char* kAboutCycles = R"(At the measured clock. Geometry is every
 Fragments have a covered sample; shaded ones also passed the early depth test.)";
 
 constexpr const char* kAboutSchedule = R"(The durations of all chunks and tiles, as measured on one thread, dealt to more
-threads: whoever is free takes the next, and tiles wait for chunks as they do in a draw. <b>Balance</b> is
-work / (threads &times; duration). The longest chain is what no number of threads can beat. The last column is measured,
-one thread against two in turns; below )";
+threads: whoever is free takes the next, and tiles wait for chunks as they do in a draw, whose batches are the larger the
+more threads there are. <b>Balance</b> is work / (threads &times; duration). The longest chain is what 64 threads cannot
+beat. The last column is measured, one thread against two in turns; below )";
 
 }  // namespace
 

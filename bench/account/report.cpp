@@ -48,7 +48,7 @@ void print(const Account& account, double clock_hertz) {
   std::printf("%-24s %9.3f  %15.1f  %15.2f  %-24s %-22s %8.2fx %10.2fx\n", account.workload.c_str(),
               1e3 * account.frame_seconds, share(account.geometry_seconds() * clock_hertz, triangles),
               share(account.tile_seconds() * clock_hertz, fragments), item_text, bound_text, account.speed_up_of_two,
-              account.work.total() / account.work.duration(64));
+              account.work.total() / account.work.duration(kMostSimulatedThreads));
   std::fflush(stdout);
 }
 
@@ -74,7 +74,7 @@ Result<Nothing> write_json(const std::string& path, std::span<const Account> acc
                            {"texels", 1e3 * account.bounds.texels},
                            {"instructions", 1e3 * account.bounds.instructions}}},
                          {"instructions", account.instructions},
-                         {"longest_chain_ms", 1e3 * account.work.longest_chain()},
+                         {"longest_chain_ms", 1e3 * account.work.longest_chain(kMostSimulatedThreads)},
                          {"alone_ms", 1e3 * account.work.alone},
                          {"balance", balance},
                          {"speed_up_of_two_threads", account.speed_up_of_two}});

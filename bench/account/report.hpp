@@ -12,6 +12,7 @@ namespace tuberia::bench {
 
 /// For how many threads the schedule is simulated.
 inline constexpr int kSimulatedThreads[] = {2, 4, 8, 16, 32, 64};
+inline constexpr int kMostSimulatedThreads = 64;
 
 /// What two threads must gain on a frame that takes so long on one.
 inline constexpr double kSpeedUpOfTwo = 1.85, kSpeedUpFromSeconds = 0.010;

@@ -12,17 +12,28 @@ using Loop = std::vector<double>;
 /// How long the loop takes when each thread that becomes free takes the next item. threads: 1 or more.
 double makespan(std::span<const double> items, int threads);
 
-/// Loops one after the other, and time in which one thread works alone. All in one unit.
+/// A part of a draw: chunks of triangles side by side, then tiles.
+struct Batch {
+  Loop chunks, tiles;  // as many tiles in every batch of a draw
+};
+
+/// A frame: loops, then draws, one after the other, and time in which one thread works alone. All in
+/// one unit. The batches are those of one thread: a draw on n threads makes n of them into one.
 struct Work {
-  std::vector<Loop> loops;
+  std::vector<Loop> loops{};
+  std::vector<std::vector<Batch>> draws{};
   double alone = 0;
 
   double total() const;
-  /// What no number of threads can beat: the time alone and the longest item of each loop.
-  double longest_chain() const;
   double duration(int threads) const;
+  /// What so many threads cannot beat, however fast each is at finding work: the time alone and the
+  /// longest item of each loop.
+  double longest_chain(int threads) const;
   /// Which part of the threads' time is work, in (0, 1]: total / (threads * duration).
   double balance(int threads) const { return total() / (threads * duration(threads)); }
+
+ private:
+  std::vector<Loop> loops_of(int threads) const;
 };
 
 }  // namespace tuberia::bench

@@ -78,9 +78,9 @@ TEST_CASE("schedule: whoever is free takes the next item", "[bench]") {
 }
 
 TEST_CASE("schedule: loops wait for one another, and time alone is never shared", "[bench]") {
-  const Work work{.loops = {{4, 1, 1, 1, 1}, {2, 2}}, .alone = 1};
+  const Work work{.loops = {{4, 1, 1, 1, 1}, {2, 2}}, .draws = {}, .alone = 1};
   CHECK(work.total() == 13);
-  CHECK(work.longest_chain() == 7);
+  CHECK(work.longest_chain(2) == 7);
   CHECK(work.duration(1) == 13);
   CHECK(work.duration(2) == 7);
   CHECK(work.duration(64) == 7);
@@ -88,13 +88,29 @@ TEST_CASE("schedule: loops wait for one another, and time alone is never shared"
   CHECK(work.balance(2) == Approx(13.0 / 14));
 }
 
+TEST_CASE("schedule: n threads make n batches of a draw into one, but never two draws", "[bench]") {
+  const Batch batch{.chunks = {3}, .tiles = {1, 2}};
+  const Work one_draw{.loops = {}, .draws = {{batch, batch, batch}}};
+  CHECK(one_draw.total() == 18);
+  CHECK(one_draw.duration(1) == 18);
+  CHECK(one_draw.duration(2) == 3 + 4 + 3 + 2);  // two batches: chunks 3 3, tiles 2 4; then the third
+  CHECK(one_draw.duration(3) == 3 + 6);          // chunks 3 3 3, tiles 3 6
+  CHECK(one_draw.longest_chain(3) == 9);
+  CHECK(one_draw.longest_chain(1) == 15);
+
+  const Work two_draws{.loops = {}, .draws = {{batch}, {batch}}};
+  CHECK(two_draws.duration(2) == 2 * (3 + 2));
+}
+
 TEST_CASE("schedule: no number of threads beats the longest chain or an even share", "[bench]") {
-  Work work{.loops = {{}, {}}, .alone = 0.5};
+  Work work{.loops = {{}, {}}, .draws = {{}}, .alone = 0.5};
   for (int i = 0; i < 300; ++i) work.loops[static_cast<std::size_t>(i % 2)].push_back(1 + (i * 7919 % 31));
+  for (int i = 0; i < 20; ++i)
+    work.draws[0].push_back({.chunks = {1.0 + i * 31 % 7, 2, 3}, .tiles = {0.1, 1.0 + i * 17 % 5, 4, 1}});
   for (int threads = 1; threads <= 64; threads *= 2) {
-    CHECK(work.duration(threads) >= work.longest_chain());
-    CHECK(work.duration(threads) * threads >= work.total());
-    CHECK(work.balance(threads) <= 1);
+    CHECK(work.duration(threads) >= work.longest_chain(threads));
+    CHECK(work.duration(threads) * threads >= Approx(work.total()));
+    CHECK(work.balance(threads) <= Approx(1));
   }
 }
 
