@@ -92,6 +92,17 @@ Result<DrawStatistics> count_fragments(TuberiaPeer& peer) {
   return all;
 }
 
+/// Pixels that are no longer as they were cleared.
+std::int64_t covered_pixels(const RenderTarget& target) {
+  const Image<std::int32_t> depths = target.depth_codes();
+  const Image<Rgba8> colours = target.colour_image();
+  const std::int32_t cleared = code_of_depth(1, target.depth_format());
+  std::int64_t covered = 0;
+  for (std::size_t i = 0; i < depths.pixels().size(); ++i)
+    if (depths.pixels()[i] != cleared || !(colours.pixels()[i] == Rgba8{0, 0, 0, 0})) ++covered;
+  return covered;
+}
+
 /// The same draws with nothing to shade.
 std::vector<DrawCall> without_colour(std::span<const DrawCall> draws) {
   std::vector<DrawCall> bare(draws.begin(), draws.end());
@@ -159,22 +170,19 @@ double texels_a_fragment(Filter filter) {
   return 0;
 }
 
-Bounds bounds_of(const Workload& workload, const DrawStatistics& counts, const MachineLimits& limits) {
+Bounds bounds_of(const Workload& workload, const Account& account, const MachineLimits& limits) {
   constexpr double kCodeBytes = 4;  // of a depth, of a colour
   const double pixels = static_cast<double>(workload.width_pixels) * workload.height_pixels;
-  const auto passed = static_cast<double>(counts.samples_passed);
   const bool colour = !workload.depth_only;
   const double target = pixels * kCodeBytes * (colour ? 2 : 1);
   const double indices = kCodeBytes * static_cast<double>(workload.mesh.indices.size());
 
-  double fragment_bytes = 0;
-  if (workload.depth_test)
-    fragment_bytes += kCodeBytes * (static_cast<double>(counts.fragments) + (workload.blend ? 0 : passed));
-  if (colour) fragment_bytes += kCodeBytes * passed * (workload.blend ? 2 : 1);
+  // Blending reads and writes colours and only reads depths; otherwise both are written.
+  const int codes_a_fragment = workload.blend ? 3 : static_cast<int>(workload.depth_test) + static_cast<int>(colour);
+  const auto visible = static_cast<double>(account.visible);
   return {.memory = (target + indices + vertex_bytes(workload)) / limits.memory_bytes_per_second,
-          .first_cache = fragment_bytes / limits.first_cache_bytes_per_second,
-          .texels = static_cast<double>(counts.fragments_shaded) * texels_a_fragment(workload.filter) /
-                    limits.texels_per_second};
+          .first_cache = visible * codes_a_fragment * kCodeBytes / limits.first_cache_bytes_per_second,
+          .texels = visible * texels_a_fragment(workload.filter) / limits.texels_per_second};
 }
 
 /// Median of the ratios of frames taken in turns.
@@ -234,7 +242,8 @@ Result<Account> account_for(const Workload& workload, const AccountOptions& opti
   const auto counts = count_fragments(peer);
   if (!counts) return counts.error();
   account.counts = *counts;
-  account.bounds = bounds_of(workload, *counts, options.limits);
+  account.visible = workload.blend ? counts->samples_passed : covered_pixels(peer.target());
+  account.bounds = bounds_of(workload, account, options.limits);
 
   Result<Nothing> prepared = Nothing{};
   account.speed_up_of_two = speed_up_of_two(peer, workload, options, prepared);

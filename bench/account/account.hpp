@@ -45,8 +45,8 @@ struct MachineLimits {
 /// Lower bounds of a frame's time in seconds, each as if nothing else were to be done.
 struct Bounds {
   double memory = 0;        // vertices and indices read once, the target's bytes written once
-  double first_cache = 0;   // every fragment's depth and colour
-  double texels = 0;        // every shaded fragment's
+  double first_cache = 0;   // depth and colour of every visible fragment
+  double texels = 0;        // of every visible fragment
   double instructions = 0;  // if they were counted
   double largest() const noexcept { return std::max({memory, first_cache, texels, instructions}); }
 };
@@ -57,6 +57,7 @@ struct Account {
   double frame_seconds = 0;              // the sum of the items
   std::int64_t triangles = 0;
   DrawStatistics counts;
+  std::int64_t visible = 0;  // fragments that must be shaded: one a covered pixel; of blended ones all that pass
   std::int64_t instructions = 0;  // if they were counted: of an AVX2 frame
   Bounds bounds;
   Work work;                   // the same pieces, for the schedule

@@ -113,21 +113,21 @@ Table table_of_items(std::span<const Account> accounts) {
 }
 
 Table table_of_rates(std::span<const Account> accounts, double clock_hertz) {
-  Table table{.headings = {"workload", "triangles", "drawn", "fragments", "shaded", "geometry:<br>ns a<br>triangle",
+  Table table{.headings = {"workload", "triangles", "drawn", "fragments", "visible", "geometry:<br>ns a<br>triangle",
                            "geometry:<br>cycles a<br>triangle", "coverage, depth:<br>cycles a<br>fragment",
-                           "shading, blending:<br>cycles a<br>shaded fragment", "tiles:<br>ns a<br>fragment",
+                           "shading, blending:<br>cycles a<br>visible fragment", "tiles:<br>ns a<br>fragment",
                            "tiles:<br>cycles a<br>drawn triangle"},
               .rows = {}};
   for (const Account& account : accounts) {
     const auto triangles = static_cast<double>(account.triangles);
     const auto drawn = static_cast<double>(account.counts.triangles_drawn);
     const auto fragments = static_cast<double>(account.counts.fragments);
-    const auto shaded = static_cast<double>(account.counts.fragments_shaded);
+    const auto visible = static_cast<double>(account.visible);
     table.rows.push_back(
-        {escaped(account.workload), count_text(triangles), count_text(drawn), count_text(fragments), count_text(shaded),
+        {escaped(account.workload), count_text(triangles), count_text(drawn), count_text(fragments), count_text(visible),
          per(account.geometry_seconds(), triangles, 1e9), per(account.geometry_seconds(), triangles, clock_hertz),
          per(account.of(Item::coverage_and_depth), fragments, clock_hertz),
-         per(account.of(Item::shading_and_blending), shaded, clock_hertz), per(account.tile_seconds(), fragments, 1e9),
+         per(account.of(Item::shading_and_blending), visible, clock_hertz), per(account.tile_seconds(), fragments, 1e9),
          per(account.tile_seconds(), drawn, clock_hertz)});
   }
   return table;
@@ -182,9 +182,9 @@ std::string limits_sentence(const MachineLimits& limits) {
   return "Each bound is what the frame would take if only this were to be done, on one core: "
          "<b>memory</b>, vertices and indices read once and the target written once, at " +
          plain(limits.memory_bytes_per_second * 1e-9) +
-         " GB/s; <b>first cache</b>, depth and colour of every fragment, at " +
+         " GB/s; <b>first cache</b>, depth and colour of every visible fragment, at " +
          plain(limits.first_cache_bytes_per_second * 1e-9) +
-         " GB/s; <b>texels</b>, 1, 4 or 8 a shaded fragment, at " + plain(limits.texels_per_second * 1e-9) +
+         " GB/s; <b>texels</b>, 1, 4 or 8 a visible fragment, at " + plain(limits.texels_per_second * 1e-9) +
          " G/s; <b>instructions</b>, where they were counted, " + plain(limits.instructions_per_cycle) + " a cycle.";
 }
 
@@ -194,7 +194,8 @@ constexpr const char* kAboutStages = R"(A clock is read between the stages of ev
 with depth is what the tiles take when no colour is written; shading with blending is the rest. Hover for figures.)";
 
 constexpr const char* kAboutCycles = R"(At the measured clock. Geometry is everything from vertex fetch to binning.
-Fragments have a covered sample; shaded ones also passed the early depth test.)";
+Visible are those fragments that must be shaded: of opaque draws one a pixel that is covered, of blended ones all that
+pass the depth test.)";
 
 constexpr const char* kAboutSchedule = R"(The durations of all chunks and tiles, as measured on one thread, dealt to more
 threads: whoever is free takes the next, and tiles wait for chunks as they do in a draw, whose batches are the larger the
