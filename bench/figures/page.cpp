@@ -35,7 +35,7 @@ svg text.quiet { fill: var(--quiet); }
 svg .grid { stroke: var(--grid); } svg .axis { stroke: var(--quiet); }
 .scroll { overflow-x: auto; }
 table { border-collapse: collapse; font-size: .8rem; font-variant-numeric: tabular-nums; }
-th, td { padding: .15rem .6rem .15rem 0; text-align: right; white-space: nowrap; vertical-align: top; }
+th, td { padding: .15rem .45rem .15rem 0; text-align: right; white-space: nowrap; vertical-align: top; }
 th { font-weight: 600; color: var(--quiet); vertical-align: bottom; }
 th:first-child, td:first-child { text-align: left; }
 tr + tr td { border-top: 1px solid var(--grid); }
