@@ -60,8 +60,8 @@ class FragmentChain {
 
   /// Covers what is in this tile of a triangle that is not known to be hidden.
   HWY_INLINE void add(const ScreenTriangle& triangle, TriangleWalk<F>& walk) {
-    if (!walk.begin(triangle, tile_, output_.clip)) return;
-    if (walk.is_small()) return walk.cover_small(tile_, groups_, *this);
+    if (!walk.begin(triangle)) return;
+    if (walk.is_small()) return walk.cover_small(groups_, *this);
     if (!walk.place(tile_)) return;
     flush();  // what is pending comes first, and may not pass all
     if (hides_large(walk)) return;
@@ -205,7 +205,7 @@ void draw_tile(const FragmentJob& job, const Tile& tile, TileVisibility& visibil
                std::span<const std::uint16_t> listed) {
   using F = Float<P>;
   FragmentChain<Program, F> chain(job, tile, visibility, chunk);
-  TriangleWalk<F> walk;
+  TriangleWalk<F> walk(tile, job.output.clip);
   VisibleTriangles<Program, F> visible;
   const auto count = static_cast<std::int64_t>(listed.size());
   const auto number = [&](std::int64_t i) HWY_ATTR { return listed[static_cast<std::size_t>(in_draw_order(i, count, job.order))]; };

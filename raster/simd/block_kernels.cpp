@@ -95,8 +95,8 @@ void rasterize_samples(const ScreenTriangle& triangle, const Tile& tile, const P
 template <Precision P>
 void rasterize(const ScreenTriangle& triangle, const Tile& tile, const PixelRect& clip, std::vector<FragmentBlock>& out) {
   if (tile.samples > 1) return rasterize_samples<P>(triangle, tile, clip, out);
-  TriangleWalk<Float<P>> walk;
-  if (!walk.begin(triangle, tile, clip) || !walk.place(tile)) return;
+  TriangleWalk<Float<P>> walk(tile, clip);
+  if (!walk.begin(triangle) || !walk.place(tile)) return;
   BlockWriter<Float<P>> writer{triangle, tile, out};
   walk.cover_blocks(writer.groups, writer);
   writer.flush();

@@ -10,114 +10,37 @@
 #include <algorithm>
 #include <cmath>
 
-#include "raster/simd/number-inl.hpp"
-#include "raster/tile.hpp"
+#include "raster/simd/covered_groups-inl.hpp"
+#include "raster/simd/weight_planes-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace tuberia {
 namespace HWY_NAMESPACE {
 
-// A group is the pixels of one register: 2x2, 4x2 or 4x4 of them.
-inline constexpr int kGroupWidth = kLanes >= 8 ? 4 : 2;
-inline constexpr int kGroupHeight = kLanes / kGroupWidth;
-
-/// One register of pixels with at least one that is covered.
-template <class F>
-struct FragmentGroup {
-  int index;            // of its first pixel in the tile's memory
-  Mask covered;
-  F weight[2];          // barycentric weights of vertices 1 and 2, linear in screen space
-};
-
-/// Groups on their way from coverage to the rest of the pipeline, of one triangle after the other.
-/// Coverage in one loop and what follows in another keeps the registers of both, and which groups are
-/// covered is no jump.
-template <class F>
-class CoveredGroups {
- public:
-  static constexpr int kMost = 32;
-  static constexpr int kMostAtOnce = 16;  // a block of the narrowest machine, or a row of a small triangle
-
-  bool is_full() const { return count_ > kMost - kMostAtOnce; }
-  int count() const { return count_; }
-  const ScreenTriangle& triangle(int i) const { return *triangle_[i]; }
-  HWY_INLINE FragmentGroup<F> group(int i) const { return {index_[i], mask_of(covered_[i]), {load<F>(weight_[i][0]), load<F>(weight_[i][1])}}; }
-  void clear() { count_ = 0; }
-
-  /// Keeps the group if it has a covered pixel.
-  HWY_INLINE void add(const ScreenTriangle& triangle, int index, Mask covered, F weight1, F weight2) {
-    triangle_[count_] = &triangle;
-    index_[count_] = index;
-    covered_[count_] = bits_of(covered);
-    store(weight1, weight_[count_][0]);
-    store(weight2, weight_[count_][1]);
-    count_ += covered_[count_] != 0 ? 1 : 0;
-  }
-
- private:
-  int count_ = 0;
-  const ScreenTriangle* triangle_[kMost];
-  int index_[kMost];
-  std::uint32_t covered_[kMost];
-  alignas(64) float weight_[kMost][2][kLanes];
-};
-
-/// The weights of a far triangle: planes anchored at the corner of the pixel grid's square that holds
-/// the tile, in double, rounded once.
-struct WeightPlanes {
-  int tile_x = 0, tile_y = 0;  // the tile in its square, pixels
-  float anchor[2] = {}, gradient_x[2] = {}, gradient_y[2] = {};
-
-  HWY_INLINE void begin(const ScreenTriangle& triangle, const Tile& tile) {
-    const int corner_x = tile.left & ~(kAnchorSquarePixels - 1), corner_y = tile.top & ~(kAnchorSquarePixels - 1);
-    tile_x = tile.left - corner_x;
-    tile_y = tile.top - corner_y;
-    const double scale = triangle.weight_scale;
-    for (int i = 0; i < 2; ++i) {
-      const double per_x = triangle.per_x[i + 1], per_y = triangle.per_y[i + 1];
-      const double at_corner = triangle.constant[i + 1] + per_x * corner_x + per_y * corner_y;
-      anchor[i] = static_cast<float>(at_corner * scale + triangle.weight_offset[i]);
-      gradient_x[i] = static_cast<float>(per_x * scale);
-      gradient_y[i] = static_cast<float>(per_y * scale);
-    }
-  }
-
-  /// Columns and rows of the group whose first pixel is (x, y) of the tile, from the square's corner.
-  template <class F>
-  HWY_INLINE F columns(int x) const { return to_float<F>(lane_x() + Int(x + tile_x)); }
-  template <class F>
-  HWY_INLINE F rows(int y) const { return to_float<F>(lane_y() + Int(y + tile_y)); }
-  template <class F>
-  HWY_INLINE void weights(F dx, F dy, F* weight) const {
-    for (int i = 0; i < 2; ++i) weight[i] = mul_add(dy, F(gradient_y[i]), mul_add(dx, F(gradient_x[i]), F(anchor[i])));
-  }
-
-  /// The smallest (of_largest: the largest) that `weights` gives for weight i in a square of the tile.
-  /// Each rounding keeps the order, so it is found at a corner.
-  HWY_INLINE float extreme(int i, int x, int y, int span, bool of_largest) const {
-    const int dx = x + tile_x + ((gradient_x[i] > 0) == of_largest ? span : 0);
-    const int dy = y + tile_y + ((gradient_y[i] > 0) == of_largest ? span : 0);
-    return static_cast<float>(dy) * gradient_y[i] + (static_cast<float>(dx) * gradient_x[i] + anchor[i]);
-  }
-};
-
 /// Walks the pixels of one triangle in one tile, a block at a time, a group at a time.
 template <class F>
 class TriangleWalk {
  public:
-  /// Whether the triangle's bounds leave anything here. `clip` may cut into the tile. What is small
-  /// is covered by cover_small; else `place` comes next, then cover_blocks.
-  HWY_INLINE bool begin(const ScreenTriangle& triangle, const Tile& tile, const PixelRect& clip) {
+  /// `clip` may cut into the tile.
+  HWY_INLINE TriangleWalk(const Tile& tile, const PixelRect& clip) : tile_left_(tile.left), tile_top_(tile.top) {
+    const PixelRect part = intersection(clip, {tile.left, tile.top, tile.left + kTileSize, tile.top + kTileSize});
+    open_ = {part.left - tile.left, part.top - tile.top, part.right - tile.left, part.bottom - tile.top};
+    tile_is_cut_ = !(open_ == PixelRect{0, 0, kTileSize, kTileSize});
+  }
+
+  /// Whether the triangle's bounds leave anything here. What is small is covered by cover_small; else
+  /// `place` comes next, then cover_blocks.
+  HWY_INLINE bool begin(const ScreenTriangle& triangle) {
     triangle_ = &triangle;
-    left_ = std::max<int>(std::max<int>(triangle.left, clip.left), tile.left) - tile.left;
-    top_ = std::max<int>(std::max<int>(triangle.top, clip.top), tile.top) - tile.top;
-    right_ = std::min<int>(std::min<int>(triangle.right, clip.right - 1), tile.left + kTileSize - 1) - tile.left;
-    bottom_ = std::min<int>(std::min<int>(triangle.bottom, clip.bottom - 1), tile.top + kTileSize - 1) - tile.top;
-    if (left_ > right_ || top_ > bottom_) return false;
-    is_cut_ = triangle.left < clip.left || triangle.top < clip.top || triangle.right >= clip.right ||
-              triangle.bottom >= clip.bottom;
+    const int left = triangle.left - tile_left_, top = triangle.top - tile_top_;
+    const int right = triangle.right - tile_left_, bottom = triangle.bottom - tile_top_;
+    left_ = std::max(left, open_.left);
+    top_ = std::max(top, open_.top);
+    right_ = std::min(right, open_.right - 1);
+    bottom_ = std::min(bottom, open_.bottom - 1);
     is_near_ = triangle.is_near != 0;
-    return true;
+    is_cut_ = tile_is_cut_ && (left < open_.left || top < open_.top || right >= open_.right || bottom >= open_.bottom);
+    return left_ <= right_ && top_ <= bottom_;
   }
 
   HWY_INLINE bool is_small() const { return is_near_ && right_ - left_ < kSmallPixels && bottom_ - top_ < kSmallPixels; }
@@ -172,17 +95,18 @@ class TriangleWalk {
   /// Adds every group of a small triangle with a covered pixel: its bounds are walked as they are.
   /// Calls visit.prepare(index) for each group looked at, and visit.flush() whenever the list is full.
   template <class Visit>
-  HWY_INLINE void cover_small(const Tile& tile, CoveredGroups<F>& list, Visit& visit) const {
+  HWY_INLINE void cover_small(CoveredGroups<F>& list, Visit& visit) const {
     const ScreenTriangle& t = *triangle_;
     const int first_x = left_ & ~(kGroupWidth - 1), first_y = top_ & ~(kGroupHeight - 1);
     Int row[3], step_x[3], step_y[3];
     for (int i = 0; i < 3; ++i) {
       const auto per_x = static_cast<std::uint32_t>(t.per_x[i]), per_y = static_cast<std::uint32_t>(t.per_y[i]);
-      const std::uint32_t at_first = static_cast<std::uint32_t>(t.constant_low[i]) + per_x * static_cast<std::uint32_t>(tile.left + first_x) +
-                                     per_y * static_cast<std::uint32_t>(tile.top + first_y);
-      row[i] = Int(static_cast<std::int32_t>(at_first)) + (lane_x() * Int(t.per_x[i]) + lane_y() * Int(t.per_y[i]));
-      step_x[i] = Int(t.per_x[i] * kGroupWidth);
-      step_y[i] = Int(t.per_y[i] * kGroupHeight);
+      const std::uint32_t at_first = static_cast<std::uint32_t>(t.constant_low[i]) + per_x * static_cast<std::uint32_t>(tile_left_ + first_x) +
+                                     per_y * static_cast<std::uint32_t>(tile_top_ + first_y);
+      const Int along_x(t.per_x[i]), along_y(t.per_y[i]);
+      row[i] = Int(static_cast<std::int32_t>(at_first)) + (lane_x() * along_x + lane_y() * along_y);
+      step_x[i] = shift_left<kGroupWidth == 4 ? 2 : 1>(along_x);
+      step_y[i] = shift_left<kGroupHeight == 4 ? 2 : 1>(along_y);
     }
     const F scale(t.weight_scale), offset1(t.weight_offset[0]), offset2(t.weight_offset[1]);
     for (int y = first_y; y <= bottom_; y += kGroupHeight) {
@@ -190,8 +114,9 @@ class TriangleWalk {
       for (int x = first_x; x <= right_; x += kGroupWidth) {
         Mask covered = !is_negative(edge[0] | edge[1] | edge[2]);
         if (is_cut_) covered = covered & inside_clip(x, y);
-        visit.prepare(index_in_tile(x, y));
-        list.add(t, index_in_tile(x, y), covered, mul_add(to_float<F>(edge[1]), scale, offset1), mul_add(to_float<F>(edge[2]), scale, offset2));
+        const int index = group_index(x, y);
+        visit.prepare(index);
+        list.add(t, index, covered, mul_add(to_float<F>(edge[1]), scale, offset1), mul_add(to_float<F>(edge[2]), scale, offset2));
         for (int i = 0; i < 3; ++i) edge[i] = edge[i] + step_x[i];
       }
       if (list.is_full()) visit.flush();
@@ -286,7 +211,7 @@ class TriangleWalk {
         if (is_cut_) covered = covered & inside_clip(x, y);
         F weight[2];
         find_weights(edge, x, y, weight);
-        list.add(*triangle_, index_in_tile(x, y), covered, weight[0], weight[1]);
+        list.add(*triangle_, group_index(x, y), covered, weight[0], weight[1]);
         for (int i = 0; i < 3; ++i) edge[i] = edge[i] + step_x[i];
       }
       for (int i = 0; i < 3; ++i) row[i] = row[i] + step_y[i];
@@ -306,6 +231,9 @@ class TriangleWalk {
     planes_.weights(planes_.columns<F>(x), planes_.rows<F>(y), weight);
   }
 
+  int tile_left_, tile_top_;
+  PixelRect open_;     // what the clip leaves of the tile, in its pixels
+  bool tile_is_cut_;
   const ScreenTriangle* triangle_ = nullptr;
   int left_, top_, right_, bottom_;  // pixels of the tile, inclusive
   bool is_cut_, is_near_;
