@@ -37,7 +37,8 @@ constexpr bool is_order_free(const OutputState& s) noexcept {
 inline constexpr int kBlocksPerTile = kTilePixels / kBlockPixels;
 
 struct TileVisibility {
-  static constexpr std::int32_t kNotLookedFor = std::numeric_limits<std::int32_t>::min();  // less than any key
+  static constexpr std::int32_t kNotLookedFor = std::numeric_limits<std::int32_t>::min();   // less than any key
+  static constexpr std::int32_t kNeverLookedAt = std::numeric_limits<std::int32_t>::max();  // greater than any
 
   std::uint64_t draw = 0;                        // the draw that the rest belongs to
   // Of each block at least the largest key of a stored depth: see HiddenSurfaces. Keys only get smaller
@@ -55,7 +56,7 @@ struct TileVisibility {
     is_summarized = false;
     nearest_pixel = kNotLookedFor;
     for (int block = 0; block < kBlocksPerTile; ++block) {
-      farthest[block] = std::numeric_limits<std::int32_t>::max();
+      farthest[block] = kNeverLookedAt;
       doubts[block] = 1;
       written[block] = 0;
     }

@@ -84,9 +84,17 @@ class HiddenSurfaces {
   HWY_INLINE bool hides(int block, std::int32_t nearest) {
     if (compares_by_size_) {
       if (nearest > visibility_.farthest[block]) return true;
-      if (visibility_.doubts[block] != 0 && (visibility_.doubts[block] += 2) >= kEnoughDoubts) return nearest > find_farthest(block);
+      if (visibility_.doubts[block] != 0 && (visibility_.doubts[block] += 2) >= kEnoughDoubts) {
+        if (may_have_come_nearer(block)) return nearest > find_farthest(block);
+        visibility_.doubts[block] = 1;
+      }
     }
     return first_wins_ && visibility_.written[block] == ~std::uint64_t{0};
+  }
+
+  /// As long as a draw, last first, has left out a pixel of the block, that one is most likely the farthest.
+  HWY_INLINE bool may_have_come_nearer(int block) const {
+    return !is_reversed_ || visibility_.written[block] == ~std::uint64_t{0} || visibility_.farthest[block] == TileVisibility::kNeverLookedAt;
   }
 
   // Triangles that come last first: what was written by this draw was submitted later. Of equal

@@ -25,7 +25,9 @@ class TriangleWalk {
   HWY_INLINE TriangleWalk(const Tile& tile, const PixelRect& clip) : tile_left_(tile.left), tile_top_(tile.top) {
     const PixelRect part = intersection(clip, {tile.left, tile.top, tile.left + kTileSize, tile.top + kTileSize});
     open_ = {part.left - tile.left, part.top - tile.top, part.right - tile.left, part.bottom - tile.top};
-    tile_is_cut_ = !(open_ == PixelRect{0, 0, kTileSize, kTileSize});
+    constexpr int kFar = 1 << 20;  // where the tile itself ends, nothing is cut
+    uncut_ = {open_.left > 0 ? open_.left : -kFar, open_.top > 0 ? open_.top : -kFar, open_.right < kTileSize ? open_.right : kFar,
+              open_.bottom < kTileSize ? open_.bottom : kFar};
   }
 
   /// Whether the triangle's bounds leave anything here. What is small is covered by cover_small; else
@@ -39,7 +41,7 @@ class TriangleWalk {
     right_ = std::min(right, open_.right - 1);
     bottom_ = std::min(bottom, open_.bottom - 1);
     is_near_ = triangle.is_near != 0;
-    is_cut_ = tile_is_cut_ && (left < open_.left || top < open_.top || right >= open_.right || bottom >= open_.bottom);
+    is_cut_ = left < uncut_.left || top < uncut_.top || right >= uncut_.right || bottom >= uncut_.bottom;
     return left_ <= right_ && top_ <= bottom_;
   }
 
@@ -233,7 +235,7 @@ class TriangleWalk {
 
   int tile_left_, tile_top_;
   PixelRect open_;     // what the clip leaves of the tile, in its pixels
-  bool tile_is_cut_;
+  PixelRect uncut_;    // where no triangle is cut by the clip
   const ScreenTriangle* triangle_ = nullptr;
   int left_, top_, right_, bottom_;  // pixels of the tile, inclusive
   bool is_cut_, is_near_;
