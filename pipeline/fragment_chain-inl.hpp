@@ -9,6 +9,8 @@
 #define TUBERIA_PIPELINE_FRAGMENT_CHAIN_INL
 #endif
 
+#include <bit>
+
 #include "pipeline/colour_blocks-inl.hpp"
 #include "pipeline/fragment-inl.hpp"
 #include "pipeline/fragment_program.hpp"
@@ -34,6 +36,9 @@ class FragmentChain {
     if constexpr (kOneColour) begin_one_colour();
     if constexpr (Program::passes_colour_on) begin_blocks(triangle);
   }
+
+  /// The same of a register of triangles, a bit each, as far as that is known without a closer look.
+  HWY_INLINE std::uint32_t surely_hidden(const std::int32_t* numbers) const { return hidden_.surely_hidden(chunk_.extents, numbers); }
 
   /// Whether all of a small triangle is hidden.
   HWY_INLINE bool hides(const TriangleExtent& extent) { return hidden_.is_of_use() && hidden_.hides(extent); }
@@ -186,6 +191,8 @@ class VisibleTriangles {
     triangles_[count_++] = &triangle;
   }
 
+  std::int64_t count() const { return static_cast<std::int64_t>(count_); }
+
   HWY_INLINE void draw(FragmentChain<Program, F>& chain, TriangleWalk<F>& walk, const ChunkView& chunk) {
     if constexpr (TriangleAttributes<Program>::kCount > 0)
       for (std::size_t i = 0; i < count_; ++i)
@@ -209,13 +216,25 @@ void draw_tile(const FragmentJob& job, const Tile& tile, TileVisibility& visibil
   VisibleTriangles<Program, F> visible;
   const auto count = static_cast<std::int64_t>(listed.size());
   const auto number = [&](std::int64_t i) HWY_ATTR { return listed[static_cast<std::size_t>(in_draw_order(i, count, job.order))]; };
-  constexpr std::int64_t kAhead = 24;
-  for (std::int64_t i = 0; i < count;) {
-    const std::int64_t end = std::min(i + static_cast<std::int64_t>(visible.kMost), count);
-    for (; i < end; ++i) {
-      if (i + kAhead < count) prefetch(reinterpret_cast<const char*>(&chunk.extents[number(i + kAhead)]));
-      if (!chain.hides(chunk.extents[number(i)])) visible.add(chunk.triangles[number(i)]);
+  constexpr std::int64_t kWindow = VisibleTriangles<Program, F>::kMost, kAhead = kWindow + 8;
+  static_assert(kWindow % kLanes == 0);
+  bool hides_many = false;  // of the last window: then a register is asked about at once, first
+  for (std::int64_t first = 0; first < count; first += kWindow) {
+    const std::int64_t in_window = std::min(kWindow, count - first);
+    std::int32_t numbers[kWindow] = {};
+    for (std::int64_t i = 0; i < in_window; ++i) {
+      numbers[i] = number(first + i);
+      if (first + i + kAhead < count) prefetch(reinterpret_cast<const char*>(&chunk.extents[number(first + i + kAhead)]));
     }
+    for (std::int64_t i = 0; i < in_window; i += kLanes) {
+      std::uint32_t in_sight = (1u << std::min<std::int64_t>(kLanes, in_window - i)) - 1u;
+      if (hides_many) in_sight &= ~chain.surely_hidden(numbers + i);
+      for (; in_sight != 0; in_sight &= in_sight - 1) {
+        const std::int32_t candidate = numbers[i + std::countr_zero(in_sight)];
+        if (!chain.hides(chunk.extents[candidate])) visible.add(chunk.triangles[candidate]);
+      }
+    }
+    hides_many = 2 * visible.count() < in_window;
     visible.draw(chain, walk, chunk);
   }
 }

@@ -75,6 +75,33 @@ class HiddenSurfaces {
     return true;
   }
 
+  /// Of a register of triangles a bit each: whether what is known already tells that `hides` is true.
+  /// numbers: those of the triangles' extents. One that spans three blocks or is large is not asked.
+  HWY_INLINE std::uint32_t surely_hidden(const TriangleExtent* extents, const std::int32_t* numbers) const {
+    if (!compares_by_size_) return 0;
+    const auto* words = reinterpret_cast<const std::int32_t*>(extents);
+    const Int first = shift_left<2>(load(numbers));
+    const Int left_top = gather(words, first), right_bottom = gather(words + 1, first);
+    const F lowest = float_of_bits<F>(gather(words + 2, first)), highest = float_of_bits<F>(gather(words + 3, first));
+
+    constexpr int kBlockBits = 3;
+    static_assert(1 << kBlockBits == kBlockSize);
+    const Int tile_left(tile_.left), tile_top(tile_.top), last(kTileSize - 1);
+    const Int left = shift_right<kBlockBits>(max(shift_right_signed<16>(shift_left<16>(left_top)) - tile_left, Int(0)));
+    const Int top = shift_right<kBlockBits>(max(shift_right_signed<16>(left_top) - tile_top, Int(0)));
+    const Int right = shift_right<kBlockBits>(min(shift_right_signed<16>(shift_left<16>(right_bottom)) - tile_left, last));
+    const Int bottom = shift_right<kBlockBits>(min(shift_right_signed<16>(right_bottom) - tile_top, last));
+    const Mask asked = (right - left < Int(2)) & (bottom - top < Int(2)) & (lowest <= highest) & (lowest > -std::numeric_limits<float>::infinity());
+
+    // At most 2x2 blocks: those of the corners.
+    const Int upper = top * Int(kBlocksPerTileRow), lower = bottom * Int(kBlocksPerTileRow);
+    const auto farthest = [&](Int block) HWY_ATTR { return gather(visibility_.farthest, select(asked, block, Int(0))); };
+    const Int limit = max(max(farthest(upper + left), farthest(upper + right)), max(farthest(lower + left), farthest(lower + right)));
+    const Int code = depth_code(prefers_greater_ ? highest : lowest, output_);
+    const Int key = (prefers_greater_ ? ~code : code) + Int(tie_hides_);
+    return bits_of(asked & (key > limit));
+  }
+
   /// Whether every fragment passes and leaves the depths as they are, wherever it lies.
   HWY_INLINE bool tests_nothing() const { return !is_reversed_ && output_.depth == kDepthOff; }
   /// Whether anything can be hidden at all.
