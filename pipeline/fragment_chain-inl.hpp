@@ -76,7 +76,7 @@ class FragmentChain {
     passes_all_ = hidden_.tests_nothing();
   }
 
-  /// Asks memory for the pixels of a group that may be drawn soon.
+  /// Asks memory for the depths, and the codes of 8 bits a channel, of a group that may be drawn soon.
   HWY_INLINE void prepare(int index) const {
     prefetch(reinterpret_cast<const char*>(tile_.depth + index));
     prefetch(reinterpret_cast<const char*>(pixels(index)));

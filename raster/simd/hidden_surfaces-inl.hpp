@@ -87,10 +87,10 @@ class HiddenSurfaces {
     constexpr int kBlockBits = 3;
     static_assert(1 << kBlockBits == kBlockSize);
     const Int tile_left(tile_.left), tile_top(tile_.top), last(kTileSize - 1);
-    const Int left = shift_right<kBlockBits>(max(shift_right_signed<16>(shift_left<16>(left_top)) - tile_left, Int(0)));
-    const Int top = shift_right<kBlockBits>(max(shift_right_signed<16>(left_top) - tile_top, Int(0)));
-    const Int right = shift_right<kBlockBits>(min(shift_right_signed<16>(shift_left<16>(right_bottom)) - tile_left, last));
-    const Int bottom = shift_right<kBlockBits>(min(shift_right_signed<16>(right_bottom) - tile_top, last));
+    const Int left = shift_right<kBlockBits>(max(arithmetic_shift_right<16>(shift_left<16>(left_top)) - tile_left, Int(0)));
+    const Int top = shift_right<kBlockBits>(max(arithmetic_shift_right<16>(left_top) - tile_top, Int(0)));
+    const Int right = shift_right<kBlockBits>(min(arithmetic_shift_right<16>(shift_left<16>(right_bottom)) - tile_left, last));
+    const Int bottom = shift_right<kBlockBits>(min(arithmetic_shift_right<16>(right_bottom) - tile_top, last));
     const Mask asked = (right - left < Int(2)) & (bottom - top < Int(2)) & (lowest <= highest) & (lowest > -std::numeric_limits<float>::infinity());
 
     // At most 2x2 blocks: those of the corners.

@@ -109,9 +109,6 @@ HWY_INLINE Int shift_right(Int a) {
 /// Fills with the sign from the left: rounds down.
 template <int kBits>
 HWY_INLINE Int arithmetic_shift_right(Int a) { return Int(hn::ShiftRight<kBits>(a.v)); }
-/// Fills with the sign.
-template <int kBits>
-HWY_INLINE Int shift_right_signed(Int a) { return Int(hn::ShiftRight<kBits>(a.v)); }
 HWY_INLINE Int min(Int a, Int b) { return Int(hn::Min(a.v, b.v)); }
 HWY_INLINE Int max(Int a, Int b) { return Int(hn::Max(a.v, b.v)); }
 HWY_INLINE std::int32_t largest_lane(Int a) { return hn::GetLane(hn::MaxOfLanes(IntTag{}, a.v)); }

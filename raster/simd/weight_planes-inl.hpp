@@ -7,6 +7,9 @@
 #define TUBERIA_RASTER_SIMD_WEIGHT_PLANES_INL
 #endif
 
+#include <algorithm>
+#include <cmath>
+
 #include "raster/simd/number-inl.hpp"
 #include "raster/tile.hpp"
 
@@ -42,6 +45,14 @@ struct WeightPlanes {
   template <class F>
   HWY_INLINE void weights(F dx, F dy, F* weight) const {
     for (int i = 0; i < 2; ++i) weight[i] = mul_add(dy, F(gradient_y[i]), mul_add(dx, F(gradient_x[i]), F(anchor[i])));
+  }
+
+  /// Above any number that `weights` comes across on its way: what its roundings are in proportion to.
+  HWY_INLINE float magnitude() const {
+    float largest = 1;
+    for (int i = 0; i < 2; ++i)
+      largest = std::max(largest, std::abs(anchor[i]) + kAnchorSquarePixels * (std::abs(gradient_x[i]) + std::abs(gradient_y[i])));
+    return largest;
   }
 
   /// The smallest (of_largest: the largest) that `weights` gives for weight i in a square of the tile.

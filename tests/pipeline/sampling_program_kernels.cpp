@@ -23,9 +23,25 @@ struct SampleCallProgram : ProgramBase {
     return in.sample(texture, uniforms.sampler, Vec3<F>(at.x, at.y, at.z), at.w);
   }
 };
+struct SampleDiscardedProgram : ProgramBase {
+  using Uniforms = test::SampleCallUniforms;
+  static constexpr Attributes interpolated = Attributes::custom;
+  static constexpr bool may_discard = true;
+
+  template <class Fragment>
+  static auto shade(Fragment& in, const Uniforms& uniforms) {
+    using F = typename Fragment::Number;
+    const Vec4<F> at = in.custom();
+    in.discard(at.x == at.x);
+    return in.sample(*uniforms.texture, uniforms.sampler, Vec2<F>{at.x, at.y});
+  }
+};
+inline const ProgramKernels& sample_discarded_kernels(Precision precision) { return kernels_of<SampleDiscardedProgram>(precision); }
 TUBERIA_PROGRAM_END(sample_call, SampleCallProgram)
 
 #if HWY_ONCE
 TUBERIA_DEFINE_PROGRAM(sample_call, SampleCallProgram)
+TUBERIA_DEFINE_PROGRAM(sample_discarded, SampleDiscardedProgram)
+tuberia::FragmentProgram tuberia::test::sample_discarded(SampleCallUniforms uniforms) { return {sample_discarded_interface(), std::move(uniforms)}; }
 tuberia::FragmentProgram tuberia::test::sample_call(SampleCallUniforms uniforms) { return {sample_call_interface(), std::move(uniforms)}; }
 #endif

@@ -20,4 +20,7 @@ struct SampleCallUniforms {
 /// Samples at `custom`: s; s, t; s, t, r; or s, t, r with the fourth as the reference.
 FragmentProgram sample_call(SampleCallUniforms uniforms);
 
+/// Discards every fragment and then samples s, t of `custom` all the same.
+FragmentProgram sample_discarded(SampleCallUniforms uniforms);
+
 }  // namespace tuberia::test

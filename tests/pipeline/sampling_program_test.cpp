@@ -55,4 +55,16 @@ TEST_CASE("sampling programs: each call reads what a lookup reads", "[pipeline]"
   }
 }
 
+TEST_CASE("sampling programs: with all fragments discarded nothing is read, of the smallest textures either", "[pipeline]") {
+  for (const auto& [width, height] : {std::pair{1, 1}, {1, 4}, {4, 1}}) {
+    const Texture texture = *Texture::create(Image<Rgba8>(width, height), TextureEncoding::linear, false);
+    test::Mesh square = test::rectangle({-1, 1, 0}, {2, 0, 0}, {0, -2, 0}, {0, 0, 1});
+    square.custom.assign(4, glm::vec4(0.5f));
+    const Sampler sampler{.mipmaps = MipmapFilter::none};
+    const test::Picture picture = test::render(square, test::sample_discarded({std::make_shared<const Texture>(texture), sampler}), {},
+                                               {.width = 8, .height = 8, .background = {1, 0, 0, 1}});
+    for (const Rgba8& pixel : picture.colour.pixels()) REQUIRE(pixel == Rgba8{255, 0, 0, 255});
+  }
+}
+
 }  // namespace tuberia
