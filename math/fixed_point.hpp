@@ -16,11 +16,13 @@ inline constexpr std::int32_t kGuardBandUnits = kGuardBandPixels * kSubpixelUnit
 // double's 53 bits and in 64-bit integers.
 static_assert(kGuardBandUnits == 1 << 23);
 
-/// Screen coordinate in pixels -> 24.8 units, rounded to nearest, ties to even; beyond the guard
-/// band the nearest value inside; not-a-number gives 0.                            [rules R1]
-inline std::int32_t snap(double pixels) noexcept {
+/// Screen coordinate in pixels -> 24.8 units, rounded once to the nearest multiple of 2^-subpixel_bits
+/// pixels (0..8 bits), ties to even; beyond the guard band the nearest value inside; not-a-number
+/// gives 0.                                                                        [rules R1]
+inline std::int32_t snap(double pixels, int subpixel_bits = kSubpixelBits) noexcept {
   if (!(pixels == pixels)) return 0;
-  const double units = std::nearbyint(pixels * kSubpixelUnits);
+  const double steps = 1 << subpixel_bits;
+  const double units = std::nearbyint(pixels * steps) * (kSubpixelUnits / steps);
   if (units >= kGuardBandUnits) return kGuardBandUnits;
   if (units <= -kGuardBandUnits) return -kGuardBandUnits;
   return static_cast<std::int32_t>(units);

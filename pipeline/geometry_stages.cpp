@@ -5,7 +5,8 @@ namespace tuberia {
 GeometryStages::GeometryStages(const DrawCall& draw, const AcceptedDraw& accepted, InstructionSet isa, Precision precision)
     : draw_(draw), accepted_(accepted), limits_(clip_limits(accepted.viewport, draw.state.clipping)),
       vertex_transform_(draw.state.transform, limits_, isa), primitive_assembly_(draw.state.assembly), clipping_(limits_),
-      perspective_divide_(screen_map(accepted.viewport, draw.state.viewport.depth_range, draw.state.clipping.volume), isa),
+      perspective_divide_(screen_map(accepted.viewport, draw.state.viewport.depth_range, draw.state.clipping.volume,
+                                     draw.state.rasterization.subpixel_bits), isa),
       culling_(draw.state.culling, accepted.clip, isa, accepted.output.samples),
       polygon_modes_(draw.state, accepted.clip, accepted.output.samples, accepted.output.depth_format, draw.mesh.edge_flags),
       rasterization_(accepted.clip, isa, precision, accepted.output.samples),

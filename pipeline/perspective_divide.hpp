@@ -9,7 +9,8 @@
 namespace tuberia {
 
 /// The affine maps of a viewport and a depth range, y flipped since row 0 is at the top.  [C 3.5]
-ScreenMap screen_map(const Viewport& viewport, const DepthRange& range, ClipVolume volume) noexcept;
+/// Places are rounded to 2^-subpixel_bits pixels (0..8).
+ScreenMap screen_map(const Viewport& viewport, const DepthRange& range, ClipVolume volume, int subpixel_bits = kSubpixelBits) noexcept;
 
 class PerspectiveDivide {
  public:

@@ -8,6 +8,7 @@
 #include <glm/vec4.hpp>
 #include <optional>
 
+#include "math/fixed_point.hpp"
 #include "math/spaces.hpp"
 #include "raster/attributes.hpp"
 #include "raster/blend_state.hpp"
@@ -137,6 +138,7 @@ struct LineState {
 struct RasterizationState {
   std::optional<PixelRect> scissor{};  // pixels outside stay untouched
   bool flat_shading = false;         // every attribute as at the primitive's first vertex
+  int subpixel_bits = kSubpixelBits;  // 0..8: vertices are rounded to 2^-subpixel_bits pixels, given screen positions are not
   PolygonMode front_mode = PolygonMode::fill, back_mode = PolygonMode::fill;
   PolygonOffset polygon_offset{};
   PointState point{};

@@ -30,6 +30,8 @@ Refusal check_user_planes(const ClippingState& state) {
 }
 
 Refusal check_rasterization(const RasterizationState& state) {
+  if (state.subpixel_bits < 0 || state.subpixel_bits > kSubpixelBits)
+    return Error{"rasterization.subpixel_bits is " + std::to_string(state.subpixel_bits) + ", outside 0 to " + std::to_string(kSubpixelBits)};
   if (auto refusal = check_range("point size_pixels", state.point.size_pixels, 1.0f / 256, 2048)) return refusal;
   if (auto refusal = check_range("line width_pixels", state.line.width_pixels, 1, 2048)) return refusal;
   if (state.line.stipple && (state.line.stipple->factor < 1 || state.line.stipple->factor > 256))

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 
+#include "math/fixed_point.hpp"
 #include "raster/block.hpp"
 #include "raster/instruction_set.hpp"
 #include "raster/screen_triangle.hpp"
@@ -40,9 +41,11 @@ struct ClipLimits {
   double user_planes[kMaxUserPlanes][4] = {};
 };
 
-/// Affine maps from ndc to the screen: pixels and depth, e.g. x_pixels = ndc.x * x_scale + x_offset.
+/// Affine maps from ndc to the screen: pixels and depth, e.g. x_pixels = ndc.x * x_scale + x_offset;
+/// and the fineness of the grid of places there, 2^-subpixel_bits pixels.
 struct ScreenMap {
   double x_scale, x_offset, y_scale, y_offset, depth_scale, depth_offset;
+  int subpixel_bits = kSubpixelBits;  // 0..8
 };
 
 /// Triangles as three arrays of vertex slots, with what else must stay with them.
@@ -75,8 +78,8 @@ struct GeometryKernels {
   void (*transform_positions)(const float* matrix, const Triples& positions, const std::uint32_t* source, int count,
                               const ClipLimits& limits, const ClipArrays& out);
 
-  /// Divides by w, maps to the screen and snaps to 24.8, round to nearest even; vertices with
-  /// w <= 0 get the viewport's centre. In double.                                                       [rules R1]
+  /// Divides by w, maps to the screen and snaps to the grid, round to nearest even, in 24.8 units;
+  /// vertices with w <= 0 get the viewport's centre. In double.                                                     [rules R1]
   void (*project)(const ClipArrays& clip, int count, const ScreenMap& map, ScreenVertex* out);
 
   /// Keeps, in place and in order, the triangles with an area whose face is wanted and whose bounds

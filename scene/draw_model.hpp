@@ -33,6 +33,7 @@ struct ModelView {
   bool cull_back = false;   // models of files are often open or wound the other way round
   ClipVolume clip_volume = ClipVolume::minus_w_to_w;
   bool reversed_depth = false;
+  RasterizationState rasterization{};  // of all draws: the ways to rasterize less exactly, for speed
 };
 
 /// A model with its textures made ready. Refers to the model, which must outlive it.

@@ -39,6 +39,12 @@ void add_camera_options(CLI::App& command, CameraOptions& camera) {
   command.add_flag("--orthographic", camera.orthographic, "Parallel projection")->group("Camera");
 }
 
+/// Speed for accuracy, and the other way round.
+void add_trade_options(CLI::App& command, PictureArguments& arguments) {
+  command.add_option("--subpixel-bits", arguments.options.rasterization.subpixel_bits, "Vertices are rounded to 2^-BITS pixels")
+      ->check(CLI::Range(0, kSubpixelBits))->group("Accuracy");
+}
+
 }  // namespace
 
 void add_picture_options(CLI::App& command, PictureArguments& arguments) {
@@ -54,6 +60,7 @@ void add_picture_options(CLI::App& command, PictureArguments& arguments) {
   command.add_flag("--cull", arguments.options.cull_back, "Leave out triangles seen from behind");
   command.add_option("--background", arguments.background, "Linear R G B")->expected(3);
   add_camera_options(command, arguments.options.camera);
+  add_trade_options(command, arguments);
 }
 
 Result<RenderOptions> render_options_of(const PictureArguments& arguments) {

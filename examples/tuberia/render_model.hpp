@@ -32,6 +32,7 @@ struct RenderOptions {
   ColourFormat colour_format = ColourFormat::srgb8;
   DepthFormat depth_format = DepthFormat::d24;
   bool reversed_depth = false;
+  RasterizationState rasterization;
   Rgba32F background{0.035f, 0.04f, 0.055f, 1};
   int frames = 3;  // timed; the picture is the last one's
 };

@@ -65,12 +65,13 @@ inline void transform_positions(const float* matrix, const Triples& positions, c
   }
 }
 
-/// Pixels to 24.8 units, inside the guard band.
-HWY_INLINE Double snapped(Double pixels) {
-  return min(max(round(pixels * Double(kSubpixelUnits)), Double(-kGuardBandUnits)), Double(kGuardBandUnits));
+/// Pixels to 24.8 units, inside the guard band; rounded to so many steps a pixel.
+HWY_INLINE Double snapped(Double pixels, Double steps, Double units_per_step) {
+  return min(max(round(pixels * steps) * units_per_step, Double(-kGuardBandUnits)), Double(kGuardBandUnits));
 }
 
 inline void project(const ClipArrays& clip, int count, const ScreenMap& map, ScreenVertex* out) {
+  const Double steps(1 << map.subpixel_bits), units_per_step(kSubpixelUnits >> map.subpixel_bits);
   for (int i = 0; i < count; i += kDoubleLanes) {
     const Double w = load_double(clip.w + i);
     // Vertices behind the eye, or not finite, have no place on the screen; clipping has replaced
@@ -82,8 +83,8 @@ inline void project(const ClipArrays& clip, int count, const ScreenMap& map, Scr
       const DoubleMask placed = in_front & (ndc <= Double(1e30)) & (ndc >= Double(-1e30));
       return select(placed, ndc, Double(0.0)) * Double(scale) + Double(offset);
     };
-    const auto x = hn::DemoteTo(HalfIntTag{}, snapped(screen(clip.x, map.x_scale, map.x_offset)).v);
-    const auto y = hn::DemoteTo(HalfIntTag{}, snapped(screen(clip.y, map.y_scale, map.y_offset)).v);
+    const auto x = hn::DemoteTo(HalfIntTag{}, snapped(screen(clip.x, map.x_scale, map.x_offset), steps, units_per_step).v);
+    const auto y = hn::DemoteTo(HalfIntTag{}, snapped(screen(clip.y, map.y_scale, map.y_offset), steps, units_per_step).v);
     const auto depth = hn::DemoteTo(HalfFloatTag{}, screen(clip.z, map.depth_scale, map.depth_offset).v);
     const auto clip_w = hn::LoadU(HalfFloatTag{}, clip.w + i);
     hn::StoreInterleaved4(x, y, hn::BitCast(HalfIntTag{}, depth), hn::BitCast(HalfIntTag{}, clip_w), HalfIntTag{}, &out[i].x);

@@ -8,8 +8,9 @@
 namespace tuberia::oracle {
 namespace {
 
-std::int64_t snapped(double pixels) {
-  return static_cast<std::int64_t>(std::clamp(std::nearbyint(256 * pixels), -0x1p23, 0x1p23));
+std::int64_t snapped(double pixels, int subpixel_bits) {
+  const double steps = std::exp2(subpixel_bits);
+  return static_cast<std::int64_t>(std::clamp(std::nearbyint(steps * pixels) * (256 / steps), -0x1p23, 0x1p23));
 }
 
 ScreenVertex on_screen(const ClipVertex& v, const Draw& draw, const Viewport& viewport) {
@@ -19,8 +20,8 @@ ScreenVertex on_screen(const ClipVertex& v, const Draw& draw, const Viewport& vi
   const bool symmetric = draw.volume == ClipVolume::minus_w_to_w;
   const double sz = symmetric ? (f - n) / 2 : f - n, oz = symmetric ? (n + f) / 2 : n;
   ScreenVertex out;
-  out.x = snapped((static_cast<double>(v.x) * i) * half_width + (viewport.x + half_width));
-  out.y = snapped((static_cast<double>(v.y) * i) * -half_height + (viewport.y + half_height));
+  out.x = snapped((static_cast<double>(v.x) * i) * half_width + (viewport.x + half_width), draw.subpixel_bits);
+  out.y = snapped((static_cast<double>(v.y) * i) * -half_height + (viewport.y + half_height), draw.subpixel_bits);
   out.depth = static_cast<float>((static_cast<double>(v.z) * i) * sz + oz);
   out.w = v.w;
   out.front = v.front;

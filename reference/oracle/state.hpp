@@ -188,6 +188,7 @@ struct Draw {
   PolygonOffset polygon_offset;
   std::optional<Rectangle> scissor;
   bool flat_shading = false;
+  int subpixel_bits = 8;
   float point_size_pixels = 1;
   bool round_points = false;
   float line_width_pixels = 1;

@@ -119,6 +119,11 @@ void random_blending(Dice& dice, Draw& draw, const TargetDescription& target) {
     for (bool& channel : draw.blend.mask) channel = dice.one_in(2);
 }
 
+/// What trades accuracy for speed.
+void random_trades(Dice& dice, Draw& draw) {
+  if (dice.one_in(6)) draw.subpixel_bits = static_cast<int>(dice.below(9));
+}
+
 }  // namespace
 
 void random_state(Dice& dice, Draw& draw, const TargetDescription& target) {
@@ -130,6 +135,7 @@ void random_state(Dice& dice, Draw& draw, const TargetDescription& target) {
   random_program(dice, draw);
   random_tests(dice, draw, target);
   random_blending(dice, draw, target);
+  random_trades(dice, draw);
 }
 
 }  // namespace tuberia::differential

@@ -52,6 +52,21 @@ TEST_CASE("divide: the screen is snapped to nearest, ties to even", "[pipeline][
   });
 }
 
+TEST_CASE("divide: the wide snap is the scalar one, on every grid", "[pipeline][exact]") {
+  for_every_instruction_set([&](InstructionSet set) {
+    test::Random random(5);
+    for (int bits = 0; bits <= kSubpixelBits; ++bits) {
+      const ScreenMap pixels{.x_scale = 1, .x_offset = 0, .y_scale = 1, .y_offset = 0, .depth_scale = 1, .depth_offset = 0, .subpixel_bits = bits};
+      for (int i = 0; i < 100; ++i) {
+        const float x = static_cast<float>(random.below(1 << 16) - (1 << 15)) / 512, y = random.between(-40000, 40000);
+        const Placed at = divided({x, y, 0, 1}, pixels, set);
+        CHECK((at.x == snap(static_cast<double>(x), bits) && at.y == snap(static_cast<double>(y), bits)));
+        CHECK((at.x % (256 >> bits) == 0 && at.y % (256 >> bits) == 0));
+      }
+    }
+  });
+}
+
 // notes 15.3, in our frame: corners of pixels are whole numbers, and y runs down.
 TEST_CASE("divide: ndc -1..1 is the viewport, wherever it lies", "[pipeline]") {
   for_every_instruction_set([&](InstructionSet set) {

@@ -142,6 +142,10 @@ TEST_CASE("validate: sizes, widths, patterns and offsets stay in their ranges", 
     CHECK_THAT(line(bad), Contains("line width_pixels is"));
   }
   CHECK_THAT(line(0.9f), Contains("line width_pixels is 0.9"));
+  for (const int bits : {-1, 9})
+    CHECK(refused_state([&](PipelineState& s) { s.rasterization.subpixel_bits = bits; }) ==
+          "rasterization.subpixel_bits is " + std::to_string(bits) + ", outside 0 to 8");
+  for (const int bits : {0, 8}) CHECK(refused_state([&](PipelineState& s) { s.rasterization.subpixel_bits = bits; }) == "(accepted)");
   for (const int factor : {0, 257, -3}) {
     const auto message = refused_state([&](PipelineState& s) { s.rasterization.line.stipple = StipplePattern{0xff, factor}; });
     CHECK_THAT(message, Contains("stipple factor is " + std::to_string(factor)));
