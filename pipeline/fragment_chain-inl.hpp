@@ -17,6 +17,7 @@
 #include "raster/simd/blend-inl.hpp"
 #include "raster/simd/hidden_surfaces-inl.hpp"
 #include "raster/simd/interpolation-inl.hpp"
+#include "raster/simd/perspective_segments-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace tuberia {
@@ -139,7 +140,7 @@ class FragmentChain {
     Fragment<Program, F> fragment(attributes_, live, level_guess_);
     if constexpr (Program::interpolated != Attributes::none) {
       F corrected[2];
-      correct_perspective(*triangle_, group.weight, corrected);
+      correct(group, corrected);
       fragment.set_weights(corrected[0], corrected[1]);
     }
     const Vec4<F> colour = Program::shade(fragment, uniforms_);
@@ -151,10 +152,19 @@ class FragmentChain {
   // Nothing varies over the triangle, so neither does its colour.
   static constexpr bool kOneColour = Program::interpolated == Attributes::none && !Program::may_discard;
 
+  HWY_INLINE void correct(const FragmentGroup<F>& group, F* corrected) {
+    if (triangle_->perspective <= kIsAffine) [[likely]] return correct_perspective(*triangle_, group.weight, corrected);
+    // Copies, so that the others' weights stay in registers.
+    const F linear[2] = {group.weight[0], group.weight[1]};
+    F found[2];
+    segments_.correct(*triangle_, tile_.left + column_in_tile(group.index), tile_.top + row_in_tile(group.index), linear, found);
+    corrected[0] = found[0], corrected[1] = found[1];
+  }
+
   HWY_INLINE bool shades() const { return Program::may_discard || output_.blend.write; }
 
   HWY_INLINE void begin_blocks(const ScreenTriangle& triangle) {
-    lays_blocks_ = passes_all_ && output_.blend.mode == BlendMode::source_over && output_.colour_format == ColourFormat::rgba8;
+    lays_blocks_ = passes_all_ && triangle.perspective <= kIsAffine && output_.blend.mode == BlendMode::source_over && output_.colour_format == ColourFormat::rgba8;
     if (lays_blocks_) colour_blocks_.begin(triangle, attributes_.value, attributes_.delta1, attributes_.delta2);
   }
   HWY_INLINE void begin_one_colour() {
@@ -176,6 +186,7 @@ class FragmentChain {
   OneColour<F> one_colour_;        // of programs where nothing varies
   ColourBlocks<F> colour_blocks_;  // of programs that pass the vertices' colours on
   CoveredGroups<F> groups_;
+  PerspectiveSegments<F> segments_;
 };
 
 /// A few triangles of a tile's list that are not hidden, on their way through memory: first their
@@ -242,11 +253,11 @@ void draw_tile(const FragmentJob& job, const Tile& tile, TileVisibility& visibil
 template <class Program, Precision P>
 void shade_block(const FragmentJob& job, const ChunkView& chunk, FragmentBlock& block) {
   using F = Float<P>;
-  const Tile no_tile;
+  const Tile place{.left = block.left, .top = block.top};  // of the block's pixels, as if it were a tile's first block
   TileVisibility nothing_known;
   FragmentJob shading = job;
   shading.output.blend.write = true;
-  FragmentChain<Program, F> chain(shading, no_tile, nothing_known, chunk);
+  FragmentChain<Program, F> chain(shading, place, nothing_known, chunk);
   chain.begin(*block.triangle);
   std::uint64_t kept = 0;
   for (int first = 0; first < kBlockPixels; first += kLanes) {

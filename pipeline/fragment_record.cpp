@@ -5,15 +5,49 @@
 namespace tuberia {
 namespace {
 
+using Weights = std::array<double, 3>;
+
+struct Divided {
+  Weights weight;
+  double sum;  // of 1/w there, relative to the largest
+};
+
+Divided divided(const Weights& linear, const ScreenTriangle& triangle) {
+  Divided result{linear, 0};
+  for (std::size_t k = 0; k < 3; ++k) result.sum += result.weight[k] *= static_cast<double>(triangle.inverse_w[k]);
+  for (double& weight : result.weight) weight /= result.sum;
+  return result;
+}
+
+/// As the fragment stages correct the weights at a pixel of column x.
+Weights corrected(const ScreenTriangle& triangle, const Weights& linear, int x) {
+  const int length = triangle.perspective;
+  if (length == kIsAffine) return linear;
+  const Divided here = divided(linear, triangle);
+  if (length == kDividesEachPixel) return here.weight;
+  const int along = x % length;
+  const auto moved = [&](int pixels) {
+    Weights there = linear;
+    for (std::size_t k = 1; k < 3; ++k) {
+      const double change = static_cast<double>(triangle.per_x[k]) * static_cast<double>(triangle.weight_scale) * pixels;
+      there[k] += change;
+      there[0] -= change;
+    }
+    return divided(there, triangle);
+  };
+  const Divided start = moved(-along), end = moved(length - along);
+  const double least = 0.5 * static_cast<double>(*std::min_element(triangle.inverse_w, triangle.inverse_w + 3));
+  if (!(start.sum >= least && end.sum >= least)) return here.weight;
+  Weights result;
+  for (std::size_t k = 0; k < 3; ++k) result[k] = start.weight[k] + (end.weight[k] - start.weight[k]) * along / length;
+  return result;
+}
+
 /// Weights of all three vertices; the record has those of the last two.
 void set_weights(FragmentRecord& fragment, const ScreenTriangle& triangle, const FragmentBlock& block, int index) {
   const double w1 = static_cast<double>(block.weight[0][index]), w2 = static_cast<double>(block.weight[1][index]);
   fragment.weight = {1 - w1 - w2, w1, w2};
-  fragment.perspective = fragment.weight;
-  if (triangle.is_affine != 0) return;
-  double sum = 0;
-  for (std::size_t k = 0; k < 3; ++k) sum += fragment.perspective[k] *= static_cast<double>(triangle.inverse_w[k]);
-  for (double& weight : fragment.perspective) weight /= sum;
+  fragment.perspective = corrected(triangle, fragment.weight, fragment.x);
 }
 
 bool is_live(const FragmentBlock& block, int sample, int index) { return (block.sample_live[sample] >> index & 1u) != 0; }

@@ -66,6 +66,7 @@ void GeometryStages::fill_in_attributes(Chunk& chunk) const {
 
 void GeometryStages::set_up(Chunk& chunk) const {
   rasterization_.set_up(chunk.triangles, chunk.vertices, chunk.screen_triangles);
+  Rasterization::choose_perspective(draw_.state.rasterization.perspective, chunk.screen_triangles);
   if (offset_.applies_to(PolygonMode::fill)) offset_.move(chunk.vertices, chunk.screen_triangles);
   shape_set_up_(chunk);
   rasterization_.choose_faces(chunk.vertices, chunk.screen_triangles);

@@ -9,6 +9,14 @@ void Rasterization::set_up(TriangleBatch& triangles, const VertexBatch& vertices
   geometry_.set_up(triangles.arrays(), triangles.count, vertices.screen.data(), has_samples_, out.data());
 }
 
+void Rasterization::choose_perspective(PerspectiveCorrection correction, std::span<ScreenTriangle> records) noexcept {
+  if (correction == PerspectiveCorrection::each_pixel) return;
+  constexpr std::uint8_t kSegment[] = {kDividesEachPixel, 8, 16, 32, kIsAffine};
+  const std::uint8_t chosen = kSegment[static_cast<std::size_t>(correction)];
+  for (ScreenTriangle& record : records)
+    if (record.perspective == kDividesEachPixel) record.perspective = chosen;
+}
+
 void Rasterization::choose_faces(const VertexBatch& vertices, std::span<ScreenTriangle> records) noexcept {
   if (vertices.back_slots == 0) return;
   for (ScreenTriangle& record : records) {

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "pipeline/state.hpp"
 #include "pipeline/vertex_batch.hpp"
 #include "raster/binning.hpp"
 #include "raster/fragment_block.hpp"
@@ -18,6 +19,9 @@ class Rasterization {
 
   /// Edge functions, depth and 1/w of each triangle, by exact arithmetic on snapped vertices.
   void set_up(TriangleBatch& triangles, const VertexBatch& vertices, std::vector<ScreenTriangle>& out) const;
+
+  /// Lets triangles that would divide at each pixel do so more rarely.
+  static void choose_perspective(PerspectiveCorrection correction, std::span<ScreenTriangle> records) noexcept;
 
   /// Lets what is turned away find its own colours, where faces have them.
   static void choose_faces(const VertexBatch& vertices, std::span<ScreenTriangle> records) noexcept;

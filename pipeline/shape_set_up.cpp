@@ -34,7 +34,7 @@ ScreenTriangle record_of(const VertexBatch& vertices, std::uint32_t first, std::
   t.depth_delta[0] = static_cast<float>(z1 - z0);
   t.inverse_w[0] = t.inverse_w[2] = static_cast<float>(std::max(smallest / w0, kLeastInverseW));
   t.inverse_w[1] = static_cast<float>(std::max(smallest / w1, kLeastInverseW));
-  t.is_affine = w0 == w1;
+  t.perspective = w0 == w1 ? kIsAffine : kDividesEachPixel;
   t.is_near = 1;
   t.vertex[0] = t.vertex[2] = static_cast<std::uint16_t>(first);
   t.vertex[1] = static_cast<std::uint16_t>(second);

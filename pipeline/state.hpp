@@ -135,10 +135,15 @@ struct LineState {
   bool operator==(const LineState&) const = default;
 };
 
+/// Where weights are divided to follow 1/w: at each pixel; at the ends of segments of a row that begin
+/// at multiples of so many pixels, and linearly in between; or nowhere. Of triangles; lines divide always.
+enum class PerspectiveCorrection : std::uint8_t { each_pixel, every_8_pixels, every_16_pixels, every_32_pixels, none };
+
 struct RasterizationState {
   std::optional<PixelRect> scissor{};  // pixels outside stay untouched
   bool flat_shading = false;         // every attribute as at the primitive's first vertex
   int subpixel_bits = kSubpixelBits;  // 0..8: vertices are rounded to 2^-subpixel_bits pixels, given screen positions are not
+  PerspectiveCorrection perspective = PerspectiveCorrection::each_pixel;  // of attributes and fog; depth needs none
   PolygonMode front_mode = PolygonMode::fill, back_mode = PolygonMode::fill;
   PolygonOffset polygon_offset{};
   PointState point{};

@@ -28,7 +28,8 @@ Refusal check_geometry_stages(const PipelineState& s) {
                 value("culling.front_face", s.culling.front_face, Winding::clockwise),
                 value("culling.cull", s.culling.cull, CullFace::front),
                 value("rasterization.front_mode", s.rasterization.front_mode, PolygonMode::point),
-                value("rasterization.back_mode", s.rasterization.back_mode, PolygonMode::point)});
+                value("rasterization.back_mode", s.rasterization.back_mode, PolygonMode::point),
+                value("rasterization.perspective", s.rasterization.perspective, PerspectiveCorrection::none)});
 }
 
 Refusal check_stencil_face(const StencilFace& face) {

@@ -36,6 +36,10 @@ constexpr int index_in_tile(int x, int y) noexcept {
          index_in_block(x % kBlockSize, y % kBlockSize);
 }
 
+/// Column and row in its tile of the pixel at an index.
+constexpr int column_in_tile(int index) noexcept { return index / kBlockPixels % kBlocksPerTileRow * kBlockSize + block_x(index % kBlockPixels); }
+constexpr int row_in_tile(int index) noexcept { return index / kBlockPixels / kBlocksPerTileRow * kBlockSize + block_y(index % kBlockPixels); }
+
 /// A rectangle of whole pixels: left and top belong to it, right and bottom do not.
 struct PixelRect {
   int left = 0, top = 0, right = 0, bottom = 0;

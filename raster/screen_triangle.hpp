@@ -29,8 +29,9 @@ struct alignas(64) ScreenTriangle {
   float weight_scale;               // 256 / twice the area
   float weight_offset[2];
 
-  // With 1/w equal at all vertices nothing has to be divided.
-  std::uint8_t is_affine;
+  // How attributes follow 1/w: one of the two below, or the length in pixels, 8, 16 or 32, of the
+  // segments of a row at whose ends alone weights are divided.
+  std::uint8_t perspective;
   // Spans of up to kNearSpanPixels keep e within 32 bits at every pixel of every touched tile, so
   // weights come straight from e; larger ones take weights from planes anchored to the pixel grid.
   std::uint8_t is_near;
@@ -51,6 +52,10 @@ struct alignas(64) ScreenTriangle {
 static_assert(sizeof(ScreenTriangle) == 128, "two cache lines");
 static_assert(offsetof(ScreenTriangle, weight_scale) == 44 && offsetof(ScreenTriangle, remainder) == 60 &&
               offsetof(ScreenTriangle, primitive) == 96 && offsetof(ScreenTriangle, constant) == 104);
+
+/// ScreenTriangle::perspective: weights are divided at each pixel; or nowhere, since w is equal at all
+/// vertices or shall count as equal.
+inline constexpr std::uint8_t kDividesEachPixel = 0, kIsAffine = 1;
 
 /// What tells whether a triangle is hidden, so that those which are need not be fetched.
 struct TriangleExtent {

@@ -1,9 +1,18 @@
 #include "examples/tuberia/picture_options.hpp"
 
+#include <algorithm>
 #include <charconv>
 
 namespace tuberia::cli {
 namespace {
+
+/// In the order of their enumeration.
+const std::vector<std::string> kPerspectives{"each-pixel", "every-8", "every-16", "every-32", "none"};
+
+template <class Choice>
+Choice choice_named(const std::vector<std::string>& names, const std::string& name) {
+  return static_cast<Choice>(std::find(names.begin(), names.end(), name) - names.begin());
+}
 
 /// "1920x1080" to two numbers.
 Result<std::pair<int, int>> parse_size(const std::string& text) {
@@ -43,6 +52,8 @@ void add_camera_options(CLI::App& command, CameraOptions& camera) {
 void add_trade_options(CLI::App& command, PictureArguments& arguments) {
   command.add_option("--subpixel-bits", arguments.options.rasterization.subpixel_bits, "Vertices are rounded to 2^-BITS pixels")
       ->check(CLI::Range(0, kSubpixelBits))->group("Accuracy");
+  command.add_option("--perspective", arguments.perspective, "Where weights are divided by w: each pixel, every so many pixels of a row, nowhere")
+      ->check(CLI::IsMember(kPerspectives))->group("Accuracy");
 }
 
 }  // namespace
@@ -69,6 +80,7 @@ Result<RenderOptions> render_options_of(const PictureArguments& arguments) {
   RenderOptions options = arguments.options;
   std::tie(options.width_pixels, options.height_pixels) = *size;
   options.shading = *shading_named(arguments.shading);
+  options.rasterization.perspective = choice_named<PerspectiveCorrection>(kPerspectives, arguments.perspective);
   options.sampler = sampler_named(arguments.filter);
   options.background = {arguments.background[0], arguments.background[1], arguments.background[2], 1};
   options.colour_format = arguments.format == "rgba8" ? ColourFormat::rgba8 : arguments.format == "rgba32f" ? ColourFormat::rgba32f : ColourFormat::srgb8;

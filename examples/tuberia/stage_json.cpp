@@ -88,7 +88,7 @@ Json piece(const PrimitiveLife& life, const PrimitivePiece& p) {
            {"front_face", p.is_front}, {"drawn", p.verdict == PrimitivePiece::Verdict::drawn}, {"verdict", words_of(p.verdict)}};
   if (!p.set_up) return out;
   out["bounds_pixels"] = rectangle({p.set_up->left, p.set_up->top, p.set_up->right + 1, p.set_up->bottom + 1});
-  out["affine"] = p.set_up->is_affine != 0;
+  out["affine"] = p.set_up->perspective == kIsAffine;
   out["tiles"] = p.tiles;
   out["blocks"] = p.blocks;
   out["edges"] = Json::array();

@@ -104,7 +104,7 @@ std::string set_up_stage(const PrimitiveLife& life) {
                   edge.top_left ? "covered" : "its neighbour's");
     }
     out += text("  t%zu bounds: pixels %d..%d x %d..%d; %zu tiles; %d blocks with fragments; %s\n", i, p.set_up->left, p.set_up->right, p.set_up->top,
-                p.set_up->bottom, p.tiles.size(), p.blocks, p.set_up->is_affine != 0 ? "w is equal: no division" : "perspective: weights are divided");
+                p.set_up->bottom, p.tiles.size(), p.blocks, p.set_up->perspective == kIsAffine ? "w is equal: no division" : "perspective: weights are divided");
   }
   return out;
 }

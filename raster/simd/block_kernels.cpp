@@ -9,6 +9,7 @@
 #include "raster/simd/depth-inl.hpp"
 #include "raster/simd/fog-inl.hpp"
 #include "raster/simd/multisample-inl.hpp"
+#include "raster/simd/perspective_segments-inl.hpp"
 #include "raster/simd/stencil-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -110,11 +111,13 @@ void apply_fog(FragmentBlock& block, const ChunkView& chunk, const OutputState& 
   const float c0 = chunk.fog[triangle.vertex[0]];
   const float c1 = chunk.fog[triangle.vertex[1]] - c0, c2 = chunk.fog[triangle.vertex[2]] - c0;
   const float fog_colour[3] = {state.fog.colour.r, state.fog.colour.g, state.fog.colour.b};
+  PerspectiveSegments<F> segments;
   for (int first = 0; first < kBlockPixels; first += kLanes) {
     if (none(lanes_of(block.live, first))) continue;
     const F linear[2] = {load<F>(block.weight[0] + first), load<F>(block.weight[1] + first)};
     F weight[2];
-    correct_perspective(triangle, linear, weight);
+    if (triangle.perspective > kIsAffine) segments.correct(triangle, block.left + block_x(first), block.top + block_y(first), linear, weight);
+    else correct_perspective(triangle, linear, weight);
     const F coordinate = abs(mul_add(weight[1], F(c2), mul_add(weight[0], F(c1), F(c0))));
     const F share = fog_share(coordinate, state.fog);
     for (int c = 0; c < 3; ++c) store(fogged(load<F>(block.colour[c] + first), fog_colour[c], share), block.colour[c] + first);

@@ -20,10 +20,10 @@ HWY_INLINE F interpolated_depth(const ScreenTriangle& t, const F* weight) {
 }
 
 /// Screen-space weights to weights on the triangle itself: each is multiplied with its vertex's
-/// 1/w and all are divided by their sum.                               [C 4.3] [rules P1]
+/// 1/w and all are divided by their sum. Not by segments.              [C 4.3] [rules P1]
 template <class F>
 HWY_INLINE void correct_perspective(const ScreenTriangle& t, const F* weight, F* corrected) {
-  if (t.is_affine) {
+  if (t.perspective == kIsAffine) {
     corrected[0] = weight[0];
     corrected[1] = weight[1];
     return;

@@ -110,7 +110,7 @@ HWY_INLINE void set_up_small(const Corners& corners, const TriangleArrays& t, in
   const Int low(-32768), high(32767);
   first.word[0] = paired(max(bounds.left, low), max(bounds.top, low));
   first.word[1] = paired(min(bounds.right, high), min(bounds.bottom, high));
-  first.word[14] = select(is_affine, Int(1), Int(0)) | Int(1 << 8) | shift_left<16>(load_narrow(t.is_back + i));
+  first.word[14] = select(is_affine, Int(kIsAffine), Int(kDividesEachPixel)) | Int(1 << 8) | shift_left<16>(load_narrow(t.is_back + i));
   second.word[6] = paired(load(t.v0 + i), load(t.v1 + i));
   second.word[7] = paired(load(t.v2 + i), load(t.provoking + i));
   second.word[8] = load(t.primitive + i);

@@ -99,7 +99,7 @@ HWY_INLINE ScreenTriangle assembled(const SetupLanes& s, int lane, const Triangl
   out.vertex[2] = static_cast<std::uint16_t>(t.v2[i + lane]);
   out.provoking_vertex = static_cast<std::uint16_t>(t.provoking[i + lane]);
   out.primitive = t.primitive[i + lane];
-  out.is_affine = s.affine >> lane & 1u;
+  out.perspective = (s.affine >> lane & 1u) != 0 ? kIsAffine : kDividesEachPixel;
   out.is_near = s.near >> lane & 1u;
   out.is_back = t.is_back[i + lane];
   for (int k = 0; k < 3; ++k) out.remainder[k] = kHasSamples ? static_cast<std::uint8_t>(s.remainder[k][lane]) : 0;

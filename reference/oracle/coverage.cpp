@@ -116,10 +116,10 @@ float Shape::near_weight(const Edge& edge, int x, int y, SampleOffset offset) co
   return scaled + rest;
 }
 
-float Shape::far_weight(const Edge& edge, int x, int y, SampleOffset offset) const {
+float Shape::far_weight(const Edge& edge, int x, int y, SampleOffset offset, int square_x) const {
   const double inverse = 1 / static_cast<double>(area_);
   const float scale = static_cast<float>(256 * inverse);
-  const int corner_x = static_cast<int>(64 * floor_divided(x, 64)), corner_y = static_cast<int>(64 * floor_divided(y, 64));
+  const int corner_x = static_cast<int>(64 * floor_divided(square_x, 64)), corner_y = static_cast<int>(64 * floor_divided(y, 64));
   const std::int64_t value = edge.at(centre(corner_x), centre(corner_y));
   const std::int64_t e = floor_divided(value - edge.rule, kUnits), r = value - kUnits * e;
   const float rest = static_cast<float>(static_cast<double>(r) * inverse);
@@ -133,10 +133,10 @@ float Shape::far_weight(const Edge& edge, int x, int y, SampleOffset offset) con
   return along_y + (along_x + anchor);
 }
 
-Weights Shape::weights_at(int x, int y, SampleOffset offset) const {
+Weights Shape::weights_at(int x, int y, SampleOffset offset, int square_x) const {
   if (primitive_.kind == ScreenPrimitive::Kind::point) return {};
   if (primitive_.kind == ScreenPrimitive::Kind::triangle) {
-    if (is_far_) return {far_weight(edges_[1], x, y, offset), far_weight(edges_[2], x, y, offset)};
+    if (is_far_) return {far_weight(edges_[1], x, y, offset, square_x), far_weight(edges_[2], x, y, offset, square_x)};
     return {near_weight(edges_[1], x, y, offset), near_weight(edges_[2], x, y, offset)};
   }
   const ScreenVertex& a = vertices_[0];
@@ -149,7 +149,7 @@ Weights Shape::weights_at(int x, int y, SampleOffset offset) const {
 }
 
 float Shape::depth(int x, int y, int sample) const {
-  const Weights w = weights_at(x, y, sample_offset(samples_, sample));
+  const Weights w = weights_at(x, y, sample_offset(samples_, sample), x);
   const double z0 = static_cast<double>(vertices_[0].depth);
   const float first = static_cast<float>(z0 + primitive_.bias);
   if (primitive_.kind == ScreenPrimitive::Kind::point) return first;

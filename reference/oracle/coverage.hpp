@@ -24,7 +24,9 @@ class Shape {
   bool covers(int x, int y, int sample) const;
 
   /// At the centre of a pixel, and at one of its samples.
-  Weights weights(int x, int y) const { return weights_at(x, y, {0, 0}); }
+  Weights weights(int x, int y) const { return weights_at(x, y, {0, 0}, x); }
+  /// At a centre that may lie in another square of 64x64 pixels than column `square_x`, whose plane counts.
+  Weights weights(int x, int y, int square_x) const { return weights_at(x, y, {0, 0}, square_x); }
   float depth(int x, int y, int sample) const;
 
   /// The vertices in the order that the weights mean.
@@ -38,9 +40,9 @@ class Shape {
   };
 
   void set_up_triangle();
-  Weights weights_at(int x, int y, SampleOffset) const;
+  Weights weights_at(int x, int y, SampleOffset, int square_x) const;
   float near_weight(const Edge&, int x, int y, SampleOffset) const;
-  float far_weight(const Edge&, int x, int y, SampleOffset) const;
+  float far_weight(const Edge&, int x, int y, SampleOffset, int square_x) const;
   bool triangle_covers(std::int64_t px, std::int64_t py) const;
   bool point_covers(std::int64_t px, std::int64_t py) const;
   bool thin_line_covers(int x, int y) const;

@@ -1,5 +1,6 @@
 #include "reference/oracle/fragments.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "reference/oracle/cube.hpp"
@@ -42,23 +43,62 @@ std::uint8_t operated(StencilOperation operation, std::uint8_t code, std::uint8_
   return code;
 }
 
-}  // namespace
+/// 1/w of a shape's vertices, relative to the largest.
+struct InverseW {
+  std::array<Interval, 3> of;
+  double least = 1;
+  bool are_equal = false;
+};
 
-FragmentWeights perspective_weights(const Shape& shape, Weights screen) {
-  const double w1 = static_cast<double>(screen.one), w2 = static_cast<double>(screen.two);
-  if (shape.primitive().kind == ScreenPrimitive::Kind::point) return {0.0, 0.0};
+InverseW inverse_w(const Shape& shape) {
   // The third vertex of a line is no vertex of it.
   const std::size_t third = shape.primitive().kind == ScreenPrimitive::Kind::line ? 0 : 2;
-  const float a = shape.vertex(0).w, b = shape.vertex(1).w, c = shape.vertex(third).w;
-  if (a == b && b == c) return {w1, w2};
-  const double least = static_cast<double>(std::min({a, b, c}));
-  const auto q = [&](float w) {
-    return Interval(std::max(static_cast<double>(static_cast<float>(least / static_cast<double>(w))), 0x1p-100));
-  };
-  const Interval one = Interval(w1) * q(b), two = Interval(w2) * q(c);
-  const Interval rest = ((Interval(1.0) - Interval(w1)) - Interval(w2)) * q(a);
+  const std::array<float, 3> w{shape.vertex(0).w, shape.vertex(1).w, shape.vertex(third).w};
+  const double smallest = static_cast<double>(*std::min_element(w.begin(), w.end()));
+  InverseW q;
+  q.are_equal = w[0] == w[1] && w[1] == w[2];
+  for (std::size_t k = 0; k < 3; ++k) {
+    q.of[k] = std::max(static_cast<double>(static_cast<float>(smallest / static_cast<double>(w[k]))), 0x1p-100);
+    q.least = std::min(q.least, q.of[k].low);
+  }
+  return q;
+}
+
+struct Divided {
+  FragmentWeights weights;
+  Interval sum;
+};
+
+Divided divided(const InverseW& q, Weights screen) {
+  const double w1 = static_cast<double>(screen.one), w2 = static_cast<double>(screen.two);
+  const Interval one = Interval(w1) * q.of[1], two = Interval(w2) * q.of[2];
+  const Interval rest = ((Interval(1.0) - Interval(w1)) - Interval(w2)) * q.of[0];
   const Interval sum = (rest + one) + two;
-  return {one / sum, two / sum};
+  return {{one / sum, two / sum}, sum};
+}
+
+}  // namespace
+
+FragmentWeights perspective_weights(const Shape& shape, const Draw& draw, int x, int y) {
+  const Weights screen = shape.weights(x, y);
+  if (shape.primitive().kind == ScreenPrimitive::Kind::point) return {0.0, 0.0};
+  const InverseW q = inverse_w(shape);
+  const bool is_line = shape.primitive().kind == ScreenPrimitive::Kind::line;
+  const bool is_affine = q.are_equal || (!is_line && draw.perspective == PerspectiveCorrection::none);
+  if (is_affine) return {static_cast<double>(screen.one), static_cast<double>(screen.two)};
+  const FragmentWeights here = divided(q, screen).weights;
+  if (is_line || draw.perspective == PerspectiveCorrection::each_pixel) return here;
+
+  const int length = 4 << static_cast<int>(draw.perspective), start_x = x / length * length;
+  const Divided start = divided(q, shape.weights(start_x, y)), end = divided(q, shape.weights(start_x + length, y, start_x));
+  const Outcome inside = both(outcome_of(Compare::greater_equal, start.sum, q.least / 2), outcome_of(Compare::greater_equal, end.sum, q.least / 2));
+  if (inside == Outcome::no) return here;
+  const auto along = [&](Interval from, Interval to) {
+    return from + Interval(static_cast<double>(x - start_x)) * ((to - from) * Interval(1.0 / length));
+  };
+  const FragmentWeights straight{along(start.weights.one, end.weights.one), along(start.weights.two, end.weights.two)};
+  if (inside == Outcome::yes) return straight;
+  return {hull(straight.one, here.one), hull(straight.two, here.two)};
 }
 
 Interval interpolated(const Shape& shape, const FragmentWeights& w, std::size_t scalar) {
@@ -73,7 +113,7 @@ Interval interpolated(const Shape& shape, const FragmentWeights& w, std::size_t 
 }
 
 ShadedFragment shaded(const Shape& shape, const Draw& draw, int x, int y) {
-  const FragmentWeights w = perspective_weights(shape, shape.weights(x, y));
+  const FragmentWeights w = perspective_weights(shape, draw, x, y);
   ShadedFragment fragment;
   fragment.colour = program_colour(shape, w, draw, x, y);
   if (draw.program.may_discard())

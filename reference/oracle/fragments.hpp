@@ -11,7 +11,7 @@ namespace tuberia::oracle {
 struct FragmentWeights {
   Interval one, two;
 };
-FragmentWeights perspective_weights(const Shape&, Weights screen);
+FragmentWeights perspective_weights(const Shape&, const Draw&, int x, int y);
 Interval interpolated(const Shape&, const FragmentWeights&, std::size_t scalar);
 
 struct ShadedFragment {

@@ -15,7 +15,7 @@ Interval scalar_at(const Shape& shape, const Draw& draw, const FragmentWeights& 
 
 /// Where a texture is read for one pixel; `first` is the scalar that holds s.
 TexturePoint point_at(const Shape& shape, const Draw& draw, const Texture& texture, std::size_t first, int x, int y) {
-  const FragmentWeights w = perspective_weights(shape, shape.weights(x, y));
+  const FragmentWeights w = perspective_weights(shape, draw, x, y);
   const auto scalar = [&](std::size_t i) { return scalar_at(shape, draw, w, first + i); };
   TexturePoint point{scalar(0), scalar(1), 0.0, 0.0};
   if (first < kUnitCoordinates) return point;

@@ -20,6 +20,7 @@ enum class ClipVolume { minus_w_to_w, zero_to_w };
 enum class Winding { counter_clockwise, clockwise };
 enum class CullFace { none, back, front };
 enum class PolygonMode { fill, line, point };
+enum class PerspectiveCorrection { each_pixel, every_8_pixels, every_16_pixels, every_32_pixels, none };
 enum class StencilOperation { keep, zero, replace, increment, decrement, invert, increment_wrap, decrement_wrap };
 enum class FogMode { off, linear, exp, exp2 };
 enum class DepthFormat { d16, d24, d32f };
@@ -189,6 +190,7 @@ struct Draw {
   std::optional<Rectangle> scissor;
   bool flat_shading = false;
   int subpixel_bits = 8;
+  PerspectiveCorrection perspective = PerspectiveCorrection::each_pixel;
   float point_size_pixels = 1;
   bool round_points = false;
   float line_width_pixels = 1;

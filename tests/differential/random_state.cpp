@@ -122,6 +122,7 @@ void random_blending(Dice& dice, Draw& draw, const TargetDescription& target) {
 /// What trades accuracy for speed.
 void random_trades(Dice& dice, Draw& draw) {
   if (dice.one_in(6)) draw.subpixel_bits = static_cast<int>(dice.below(9));
+  if (dice.one_in(4)) draw.perspective = any<oracle::PerspectiveCorrection>(dice, 5);
 }
 
 }  // namespace

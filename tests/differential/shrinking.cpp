@@ -41,6 +41,7 @@ void plain_state(Scene& scene, Machines& machines, std::size_t i) {
   reset(&Draw::polygon_offset);
   reset(&Draw::flat_shading);
   reset(&Draw::subpixel_bits);
+  reset(&Draw::perspective);
   reset(&Draw::point_size_pixels);
   reset(&Draw::round_points);
   reset(&Draw::line_width_pixels);
@@ -123,6 +124,7 @@ void describe_geometry(std::ostream& out, const oracle::Draw& d) {
     out << "  offset factor " << o.factor << " units " << o.units << " clamp " << o.clamp << " fill " << o.fill << " line " << o.line << " point " << o.point << "\n";
   tell_if(out, "flat_shading", d.flat_shading, p.flat_shading);
   tell_if(out, "subpixel_bits", d.subpixel_bits, p.subpixel_bits);
+  tell_if(out, "perspective", d.perspective, p.perspective);
   tell_if(out, "point_size", d.point_size_pixels, p.point_size_pixels);
   tell_if(out, "round", d.round_points, p.round_points);
   tell_if(out, "line_width", d.line_width_pixels, p.line_width_pixels);

@@ -139,6 +139,7 @@ void translate_geometry(const oracle::Draw& draw, PipelineState& state) {
   if (draw.scissor) raster.scissor = PixelRect{draw.scissor->left, draw.scissor->top, draw.scissor->right, draw.scissor->bottom};
   raster.flat_shading = draw.flat_shading;
   raster.subpixel_bits = draw.subpixel_bits;
+  raster.perspective = same<PerspectiveCorrection>(draw.perspective);
   raster.front_mode = same<PolygonMode>(draw.front_mode);
   raster.back_mode = same<PolygonMode>(draw.back_mode);
   const oracle::PolygonOffset& offset = draw.polygon_offset;

@@ -21,7 +21,7 @@ struct FoggedBlock {
   FragmentBlock block = test::colour_block(grey());
 
   explicit FoggedBlock(float coordinate) : corners{coordinate, coordinate, coordinate} {
-    triangle.is_affine = 1;
+    triangle.perspective = kIsAffine;
     triangle.vertex[1] = 1, triangle.vertex[2] = 2;
     block.triangle = &triangle;
     for (int i = 0; i < kBlockPixels; ++i) block.weight[0][i] = static_cast<float>(i) / 100, block.weight[1][i] = 0.125f;
@@ -111,7 +111,7 @@ TEST_CASE("fog: its coordinate is interpolated with perspective", "[raster]") {
   // Halfway on the screen between w = 1 and w = 3 lies a quarter of the way on the triangle.
   for_every_machine([](InstructionSet set, Precision precision) {
     FoggedBlock fogged(0);
-    fogged.triangle.is_affine = 0;
+    fogged.triangle.perspective = kDividesEachPixel;
     fogged.triangle.inverse_w[0] = 1, fogged.triangle.inverse_w[1] = 1.0f / 3.0f, fogged.triangle.inverse_w[2] = 1;
     fogged.corners[1] = 8;
     for (int i = 0; i < kBlockPixels; ++i) fogged.block.weight[0][i] = 0.5f, fogged.block.weight[1][i] = 0;

@@ -97,7 +97,7 @@ void check_records(std::span<const Triangle> triangles, std::uint64_t seed, bool
       const ScreenTriangle& t = records[i];
       const bool numbers = t.vertex[0] == 3 * i && t.vertex[1] == 3 * i + 1 && t.vertex[2] == 3 * i + 2 && t.primitive == 7 * i &&
                            t.provoking_vertex == v[3][i] && t.is_back == is_back[i] && t.depth == corner[0].depth &&
-                           t.is_affine == (corner[0].w == corner[1].w && corner[0].w == corner[2].w);
+                           (t.perspective == kIsAffine) == (corner[0].w == corner[1].w && corner[0].w == corner[2].w);
       if (!numbers || !DefinedRecord(corner).is_of(t, has_samples)) FAIL("seed " << seed << ", triangle " << i);
     }
   });

@@ -9,6 +9,9 @@
 #include "tests/support/triangles.hpp"
 
 namespace tuberia {
+
+using test::Triangle;
+
 namespace {
 
 struct RealPoint {
