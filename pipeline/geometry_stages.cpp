@@ -9,7 +9,7 @@ GeometryStages::GeometryStages(const DrawCall& draw, const AcceptedDraw& accepte
                                      draw.state.rasterization.subpixel_bits), isa),
       culling_(draw.state.culling, accepted.clip, isa, accepted.output.samples),
       polygon_modes_(draw.state, accepted.clip, accepted.output.samples, accepted.output.depth_format, draw.mesh.edge_flags),
-      rasterization_(accepted.clip, isa, precision, accepted.output.samples),
+      rasterization_(accepted.clip, isa, precision, accepted.output.samples, draw.state.rasterization.edge_arithmetic),
       shape_set_up_(draw.state.rasterization, accepted.output.samples),
       offset_(draw.state.rasterization.polygon_offset, accepted.output.depth_format),
       only_fills_(only_fills(draw.state.rasterization)) {}

@@ -7,6 +7,11 @@ namespace tuberia {
 void Rasterization::set_up(TriangleBatch& triangles, const VertexBatch& vertices, std::vector<ScreenTriangle>& out) const {
   out.resize(static_cast<std::size_t>(triangles.count));
   geometry_.set_up(triangles.arrays(), triangles.count, vertices.screen.data(), has_samples_, out.data());
+  if (edges_ == EdgeArithmetic::exact) return;
+  for (ScreenTriangle& record : out) {
+    record.is_near = 0;
+    record.edge_arithmetic = edges_;
+  }
 }
 
 void Rasterization::choose_perspective(PerspectiveCorrection correction, std::span<ScreenTriangle> records) noexcept {

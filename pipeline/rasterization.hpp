@@ -13,9 +13,10 @@ namespace tuberia {
 
 class Rasterization {
  public:
-  /// clip: the pixels that may be drawn; samples: of each.
-  Rasterization(const PixelRect& clip, InstructionSet instruction_set, Precision precision, int samples = 1) noexcept
-      : clip_(clip), has_samples_(samples > 1), geometry_(geometry_kernels(instruction_set)), blocks_(block_kernels(instruction_set, precision)) {}
+  /// clip: the pixels that may be drawn; samples: of each; edges: exact where there are several.
+  Rasterization(const PixelRect& clip, InstructionSet instruction_set, Precision precision, int samples = 1,
+                EdgeArithmetic edges = EdgeArithmetic::exact) noexcept
+      : clip_(clip), has_samples_(samples > 1), edges_(edges), geometry_(geometry_kernels(instruction_set)), blocks_(block_kernels(instruction_set, precision)) {}
 
   /// Edge functions, depth and 1/w of each triangle, by exact arithmetic on snapped vertices.
   void set_up(TriangleBatch& triangles, const VertexBatch& vertices, std::vector<ScreenTriangle>& out) const;
@@ -31,7 +32,7 @@ class Rasterization {
 
   /// Sorts triangles into the tiles of a target.
   void bin(std::span<const ScreenTriangle> triangles, int tiles_per_row, int tile_rows, TileLists& out) const {
-    out.build(triangles, clip_, tiles_per_row, tile_rows, has_samples_ ? 0.5 : 0.0);
+    out.build(triangles, clip_, tiles_per_row, tile_rows, has_samples_ || edges_ != EdgeArithmetic::exact ? 0.5 : 0.0);
   }
 
   /// The blocks of fragments of one triangle on a target, tile by tile. The tile loops do the same
@@ -41,6 +42,7 @@ class Rasterization {
  private:
   PixelRect clip_;
   bool has_samples_;   // which lie up to half a pixel beside the centre
+  EdgeArithmetic edges_;  // rounding moves them by much less
   const GeometryKernels& geometry_;
   const BlockKernels& blocks_;
 };

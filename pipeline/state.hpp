@@ -16,6 +16,7 @@
 #include "raster/depth_state.hpp"
 #include "raster/fragment_state.hpp"
 #include "raster/screen_shape.hpp"
+#include "raster/screen_triangle.hpp"
 #include "raster/stencil_state.hpp"
 
 namespace tuberia {
@@ -144,6 +145,7 @@ struct RasterizationState {
   bool flat_shading = false;         // every attribute as at the primitive's first vertex
   int subpixel_bits = kSubpixelBits;  // 0..8: vertices are rounded to 2^-subpixel_bits pixels, given screen positions are not
   PerspectiveCorrection perspective = PerspectiveCorrection::each_pixel;  // of attributes and fog; depth needs none
+  EdgeArithmetic edge_arithmetic = EdgeArithmetic::exact;  // of triangles; others than exact need one sample a pixel
   PolygonMode front_mode = PolygonMode::fill, back_mode = PolygonMode::fill;
   PolygonOffset polygon_offset{};
   PointState point{};

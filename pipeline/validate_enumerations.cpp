@@ -29,7 +29,8 @@ Refusal check_geometry_stages(const PipelineState& s) {
                 value("culling.cull", s.culling.cull, CullFace::front),
                 value("rasterization.front_mode", s.rasterization.front_mode, PolygonMode::point),
                 value("rasterization.back_mode", s.rasterization.back_mode, PolygonMode::point),
-                value("rasterization.perspective", s.rasterization.perspective, PerspectiveCorrection::none)});
+                value("rasterization.perspective", s.rasterization.perspective, PerspectiveCorrection::none),
+                value("rasterization.edge_arithmetic", s.rasterization.edge_arithmetic, EdgeArithmetic::float_plane)});
 }
 
 Refusal check_stencil_face(const StencilFace& face) {

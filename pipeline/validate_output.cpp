@@ -39,6 +39,13 @@ Refusal check_stencil(const StencilState& stencil, const RenderTarget& target) {
   return Error{"stencil.enabled is true, but the target has no stencil buffer"};
 }
 
+/// Only centres have edge functions in other arithmetic.
+Refusal check_edges(EdgeArithmetic edges, const RenderTarget& target) {
+  if (edges == EdgeArithmetic::exact || target.samples() == 1) return {};
+  return Error{"rasterization.edge_arithmetic is " + std::to_string(static_cast<int>(edges)) + ", which a target of " +
+               std::to_string(target.samples()) + " samples a pixel does not allow; only exact (0) is possible there"};
+}
+
 Refusal check_blend(const BlendState& blend, ColourFormat format) {
   if (blend.logic != LogicOperation::off && format != ColourFormat::rgba8)
     return Error{"blend.logic is operation " + std::to_string(static_cast<int>(blend.logic)) +
@@ -53,6 +60,7 @@ std::optional<Error> output_refusal(const PipelineState& state, const RenderTarg
   if (Refusal refusal = check_fog(state.fog)) return refusal;
   if (Refusal refusal = check_alpha_test(state.alpha_test)) return refusal;
   if (Refusal refusal = check_stencil(state.stencil, target)) return refusal;
+  if (Refusal refusal = check_edges(state.rasterization.edge_arithmetic, target)) return refusal;
   return check_blend(state.blend, target.colour_format());
 }
 

@@ -9,6 +9,12 @@
 
 namespace tuberia {
 
+/// In which numbers the pixels of a triangle are decided. exact: 32 bits within a tile wherever they are
+/// enough, set up in 64; exact_64: 64 bits everywhere, which covers the same and takes longer. The
+/// others round to floats: the edge functions as distances from the corner of a square of 64x64 pixels,
+/// or as planes over the whole target.
+enum class EdgeArithmetic : std::uint8_t { exact, exact_64, float_anchored, float_plane };
+
 /// A triangle of screen space, set up. Its vertices 0, 1, 2 run clockwise on the screen (y down),
 /// so every edge function is positive inside. Edge i lies opposite vertex i.
 ///
@@ -36,7 +42,7 @@ struct alignas(64) ScreenTriangle {
   // weights come straight from e; larger ones take weights from planes anchored to the pixel grid.
   std::uint8_t is_near;
   std::uint8_t is_back;             // turned away; 0 for points and lines, and where nobody asked
-  std::uint8_t unused = 0;
+  EdgeArithmetic edge_arithmetic = EdgeArithmetic::exact;  // others only where is_near is 0
   std::uint8_t remainder[3];        // of the edge functions, see above: what multisampling starts from
 
   // Depth is linear in screen space: depth + w1 * depth_delta[0] + w2 * depth_delta[1].

@@ -8,6 +8,7 @@ namespace {
 
 /// In the order of their enumeration.
 const std::vector<std::string> kPerspectives{"each-pixel", "every-8", "every-16", "every-32", "none"};
+const std::vector<std::string> kEdges{"exact", "exact-64", "float-anchored", "float-plane"};
 
 template <class Choice>
 Choice choice_named(const std::vector<std::string>& names, const std::string& name) {
@@ -54,6 +55,7 @@ void add_trade_options(CLI::App& command, PictureArguments& arguments) {
       ->check(CLI::Range(0, kSubpixelBits))->group("Accuracy");
   command.add_option("--perspective", arguments.perspective, "Where weights are divided by w: each pixel, every so many pixels of a row, nowhere")
       ->check(CLI::IsMember(kPerspectives))->group("Accuracy");
+  command.add_option("--edges", arguments.edges, "Arithmetic of the edge functions")->check(CLI::IsMember(kEdges))->group("Accuracy");
 }
 
 }  // namespace
@@ -81,6 +83,7 @@ Result<RenderOptions> render_options_of(const PictureArguments& arguments) {
   std::tie(options.width_pixels, options.height_pixels) = *size;
   options.shading = *shading_named(arguments.shading);
   options.rasterization.perspective = choice_named<PerspectiveCorrection>(kPerspectives, arguments.perspective);
+  options.rasterization.edge_arithmetic = choice_named<EdgeArithmetic>(kEdges, arguments.edges);
   options.sampler = sampler_named(arguments.filter);
   options.background = {arguments.background[0], arguments.background[1], arguments.background[2], 1};
   options.colour_format = arguments.format == "rgba8" ? ColourFormat::rgba8 : arguments.format == "rgba32f" ? ColourFormat::rgba32f : ColourFormat::srgb8;

@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "raster/simd/covered_groups-inl.hpp"
+#include "raster/simd/edge_arithmetic-inl.hpp"
 #include "raster/simd/weight_planes-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -52,6 +53,7 @@ class TriangleWalk {
     const ScreenTriangle& triangle = *triangle_;
     scale_ = F(triangle.weight_scale);
     for (int i = 0; i < 2; ++i) offset_[i] = F(triangle.weight_offset[i]);
+    replaces_edges_ = false;
     if (is_near_) begin_near(triangle, tile);
     else if (!begin_far(triangle, tile)) return false;
     for (int i = 0; i < 3; ++i) edge_lanes_[i] = lane_x() * Int(per_x_[i]) + lane_y() * Int(per_y_[i]);
@@ -131,6 +133,7 @@ class TriangleWalk {
   /// visit.takes_block(*this, x, y).
   template <class Visit>
   HWY_INLINE void cover_blocks(CoveredGroups<F>& list, Visit& visit) const {
+    if (replaces_edges_) [[unlikely]] return cover_blocks_by_replaced_edges(list, visit);
     for (int y = top_ & ~(kBlockSize - 1); y <= bottom_; y += kBlockSize)
       for (int x = left_ & ~(kBlockSize - 1); x <= right_; x += kBlockSize) {
         bool inside = false;
@@ -161,6 +164,7 @@ class TriangleWalk {
   // the constant 0; with the whole tile on its outer side, there is nothing here; an edge that
   // crosses the tile fits 32 bits.
   HWY_NOINLINE bool begin_far(const ScreenTriangle& triangle, const Tile& tile) {
+    if (triangle.edge_arithmetic != EdgeArithmetic::exact) return begin_replaced(triangle, tile);
     constexpr double kSpan = kTileSize - 1;
     for (int i = 0; i < 3; ++i) {
       const double per_x = triangle.per_x[i], per_y = triangle.per_y[i];
@@ -176,6 +180,36 @@ class TriangleWalk {
 
     planes_.begin(triangle, tile);
     return true;
+  }
+
+  // What rounding lets out of the bounds is cut off.
+  HWY_INLINE bool begin_replaced(const ScreenTriangle& triangle, const Tile& tile) {
+    for (int i = 0; i < 3; ++i) per_x_[i] = per_y_[i] = at_tile_[i] = 0;
+    replaces_edges_ = is_cut_ = true;
+    replaced_edges_.begin(triangle, tile);
+    planes_.begin(triangle, tile);
+    return true;
+  }
+
+  template <class Visit>
+  HWY_NOINLINE void cover_blocks_by_replaced_edges(CoveredGroups<F>& list, Visit& visit) const {
+    for (int y = top_ & ~(kBlockSize - 1); y <= bottom_; y += kBlockSize)
+      for (int x = left_ & ~(kBlockSize - 1); x <= right_; x += kBlockSize) {
+        bool inside = false;
+        if (replaced_edges_.is_outside(x, y, kBlockSize, inside) || visit.hides(*this, x, y)) continue;
+        cover_block_by_replaced_edges(x, y, inside, list);
+        if (list.is_full()) visit.flush();
+      }
+  }
+
+  HWY_INLINE void cover_block_by_replaced_edges(int left, int top, bool inside, CoveredGroups<F>& list) const {
+    for (int y = top; y < top + kBlockSize; y += kGroupHeight)
+      for (int x = left; x < left + kBlockSize; x += kGroupWidth) {
+        const Mask covered = inside ? all_lanes() : replaced_edges_.covered(x, y);
+        F weight[2];
+        planes_.weights(planes_.columns<F>(x), planes_.rows<F>(y), weight);
+        list.add(*triangle_, group_index(x, y), covered & inside_clip(x, y), weight[0], weight[1]);
+      }
   }
 
   HWY_INLINE float extreme_weight(int i, int x, int y, int span, bool of_largest) const {
@@ -243,6 +277,8 @@ class TriangleWalk {
   Int edge_lanes_[3];
   F scale_, offset_[2];
   WeightPlanes planes_;
+  bool replaces_edges_ = false;
+  ReplacedEdges replaced_edges_;
 };
 
 }  // namespace HWY_NAMESPACE

@@ -45,14 +45,17 @@ void Shape::set_up_triangle() {
   }
   const auto [left, right] = std::minmax({vertices_[0].x, vertices_[1].x, vertices_[2].x});
   const auto [top, bottom] = std::minmax({vertices_[0].y, vertices_[1].y, vertices_[2].y});
-  is_far_ = right - left > 1984 * kUnits || bottom - top > 1984 * kUnits;
+  is_far_ = right - left > 1984 * kUnits || bottom - top > 1984 * kUnits || draw_.edge_arithmetic != EdgeArithmetic::exact;
 }
 
 bool Shape::covers(int x, int y, int sample) const {
   const SampleOffset offset = sample_offset(samples_, sample);
   const std::int64_t px = centre(x) + offset.x, py = centre(y) + offset.y;
   switch (primitive_.kind) {
-    case ScreenPrimitive::Kind::triangle: return triangle_covers(px, py);
+    case ScreenPrimitive::Kind::triangle: {
+      const bool are_exact = draw_.edge_arithmetic == EdgeArithmetic::exact || draw_.edge_arithmetic == EdgeArithmetic::exact_64;
+      return are_exact ? triangle_covers(px, py) : rounded_edges_cover(x, y);
+    }
     case ScreenPrimitive::Kind::point: return point_covers(px, py);
     case ScreenPrimitive::Kind::line:
       return (samples_ == 1 ? wide_line_covers(x, y) : rectangle_covers(px, py)) && stipple_shows(x, y);
@@ -62,6 +65,21 @@ bool Shape::covers(int x, int y, int sample) const {
 
 bool Shape::triangle_covers(std::int64_t px, std::int64_t py) const {
   return std::all_of(edges_.begin(), edges_.end(), [&](const Edge& edge) { return edge.at(px, py) - edge.rule >= 0; });
+}
+
+bool Shape::rounded_edges_cover(int x, int y) const {
+  const auto [left, right] = std::minmax({vertices_[0].x, vertices_[1].x, vertices_[2].x});
+  const auto [top, bottom] = std::minmax({vertices_[0].y, vertices_[1].y, vertices_[2].y});
+  if (centre(x) < left || centre(x) > right || centre(y) < top || centre(y) > bottom) return false;
+  const bool is_anchored = draw_.edge_arithmetic == EdgeArithmetic::float_anchored;
+  const int corner_x = is_anchored ? x / 64 * 64 : 0, corner_y = is_anchored ? y / 64 * 64 : 0;
+  return std::all_of(edges_.begin(), edges_.end(), [&](const Edge& edge) {
+    const auto start = static_cast<float>(floor_divided(edge.at(centre(corner_x), centre(corner_y)) - edge.rule, kUnits));
+    const float along_x = static_cast<float>(x - corner_x) * static_cast<float>(edge.per_x);
+    const float along_y = static_cast<float>(y - corner_y) * static_cast<float>(edge.per_y);
+    const float across = along_x + start;
+    return along_y + across >= 0;
+  });
 }
 
 bool Shape::point_covers(std::int64_t px, std::int64_t py) const {

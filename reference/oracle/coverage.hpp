@@ -44,6 +44,7 @@ class Shape {
   float near_weight(const Edge&, int x, int y, SampleOffset) const;
   float far_weight(const Edge&, int x, int y, SampleOffset, int square_x) const;
   bool triangle_covers(std::int64_t px, std::int64_t py) const;
+  bool rounded_edges_cover(int x, int y) const;
   bool point_covers(std::int64_t px, std::int64_t py) const;
   bool thin_line_covers(int x, int y) const;
   bool wide_line_covers(int x, int y) const;
@@ -56,7 +57,7 @@ class Shape {
   std::array<ScreenVertex, 3> vertices_;
   std::array<Edge, 3> edges_{};
   std::int64_t area_ = 0;
-  bool is_far_ = false;   // spans more than 1984 pixels
+  bool is_far_ = false;   // spans more than 1984 pixels, or has other edges than the usual
   std::int64_t size_ = 0;   // of points and multisampled lines, units
   std::int64_t width_ = 1;  // of other lines, pixels
 };

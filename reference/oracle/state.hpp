@@ -20,6 +20,7 @@ enum class ClipVolume { minus_w_to_w, zero_to_w };
 enum class Winding { counter_clockwise, clockwise };
 enum class CullFace { none, back, front };
 enum class PolygonMode { fill, line, point };
+enum class EdgeArithmetic { exact, exact_64, float_anchored, float_plane };
 enum class PerspectiveCorrection { each_pixel, every_8_pixels, every_16_pixels, every_32_pixels, none };
 enum class StencilOperation { keep, zero, replace, increment, decrement, invert, increment_wrap, decrement_wrap };
 enum class FogMode { off, linear, exp, exp2 };
@@ -191,6 +192,7 @@ struct Draw {
   bool flat_shading = false;
   int subpixel_bits = 8;
   PerspectiveCorrection perspective = PerspectiveCorrection::each_pixel;
+  EdgeArithmetic edge_arithmetic = EdgeArithmetic::exact;
   float point_size_pixels = 1;
   bool round_points = false;
   float line_width_pixels = 1;

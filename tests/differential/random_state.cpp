@@ -120,9 +120,10 @@ void random_blending(Dice& dice, Draw& draw, const TargetDescription& target) {
 }
 
 /// What trades accuracy for speed.
-void random_trades(Dice& dice, Draw& draw) {
+void random_trades(Dice& dice, Draw& draw, const TargetDescription& target) {
   if (dice.one_in(6)) draw.subpixel_bits = static_cast<int>(dice.below(9));
   if (dice.one_in(4)) draw.perspective = any<oracle::PerspectiveCorrection>(dice, 5);
+  if (target.samples == 1 && dice.one_in(6)) draw.edge_arithmetic = any<oracle::EdgeArithmetic>(dice, 4);
 }
 
 }  // namespace
@@ -136,7 +137,7 @@ void random_state(Dice& dice, Draw& draw, const TargetDescription& target) {
   random_program(dice, draw);
   random_tests(dice, draw, target);
   random_blending(dice, draw, target);
-  random_trades(dice, draw);
+  random_trades(dice, draw, target);
 }
 
 }  // namespace tuberia::differential

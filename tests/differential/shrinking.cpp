@@ -42,6 +42,7 @@ void plain_state(Scene& scene, Machines& machines, std::size_t i) {
   reset(&Draw::flat_shading);
   reset(&Draw::subpixel_bits);
   reset(&Draw::perspective);
+  reset(&Draw::edge_arithmetic);
   reset(&Draw::point_size_pixels);
   reset(&Draw::round_points);
   reset(&Draw::line_width_pixels);
@@ -125,6 +126,7 @@ void describe_geometry(std::ostream& out, const oracle::Draw& d) {
   tell_if(out, "flat_shading", d.flat_shading, p.flat_shading);
   tell_if(out, "subpixel_bits", d.subpixel_bits, p.subpixel_bits);
   tell_if(out, "perspective", d.perspective, p.perspective);
+  tell_if(out, "edge_arithmetic", d.edge_arithmetic, p.edge_arithmetic);
   tell_if(out, "point_size", d.point_size_pixels, p.point_size_pixels);
   tell_if(out, "round", d.round_points, p.round_points);
   tell_if(out, "line_width", d.line_width_pixels, p.line_width_pixels);

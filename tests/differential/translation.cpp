@@ -140,6 +140,7 @@ void translate_geometry(const oracle::Draw& draw, PipelineState& state) {
   raster.flat_shading = draw.flat_shading;
   raster.subpixel_bits = draw.subpixel_bits;
   raster.perspective = same<PerspectiveCorrection>(draw.perspective);
+  raster.edge_arithmetic = same<EdgeArithmetic>(draw.edge_arithmetic);
   raster.front_mode = same<PolygonMode>(draw.front_mode);
   raster.back_mode = same<PolygonMode>(draw.back_mode);
   const oracle::PolygonOffset& offset = draw.polygon_offset;

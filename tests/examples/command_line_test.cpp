@@ -46,6 +46,7 @@ TEST_CASE("tuberia: refuses bad input in one line and leaves no file", "[example
                               {"render triangle.obj -o out.png --view sideways", "sideways"},
                               {"render triangle.obj -o out.png --subpixel-bits 9", "--subpixel-bits"},
                               {"render triangle.obj -o out.png --perspective every-9", "every-9"},
+                              {"render triangle.obj -o out.png --edges double", "double"},
                               {"render triangle.obj", "--output"},
                               {"paint triangle.obj", "paint"},
                               {"info missing.obj", "missing.obj"},

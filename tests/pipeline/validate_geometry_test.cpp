@@ -122,6 +122,7 @@ TEST_CASE("validate: values that their enumerations do not have are refused by n
   check("front_mode is 3;", [](PipelineState& s) { s.rasterization.front_mode = static_cast<PolygonMode>(3); });
   check("back_mode is 255;", [](PipelineState& s) { s.rasterization.back_mode = static_cast<PolygonMode>(255); });
   check("rasterization.perspective is 5;", [](PipelineState& s) { s.rasterization.perspective = static_cast<PerspectiveCorrection>(5); });
+  check("rasterization.edge_arithmetic is 4;", [](PipelineState& s) { s.rasterization.edge_arithmetic = static_cast<EdgeArithmetic>(4); });
   check("fog.mode is 4;", [](PipelineState& s) { s.fog.mode = static_cast<FogMode>(4); });
   check("alpha_test.test is 8;", [](PipelineState& s) { s.alpha_test.test = static_cast<Compare>(8); });
   check("depth.test is 8;", [](PipelineState& s) { s.depth.test = static_cast<Compare>(8); });

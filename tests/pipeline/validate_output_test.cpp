@@ -29,6 +29,13 @@ TEST_CASE("validate: what a target cannot hold is refused by name", "[pipeline]"
     CHECK_THAT(output_refusal_of(logic, {.width = 8, .height = 8, .colour = format}), Contains("blend.logic"));
 }
 
+TEST_CASE("validate: only exact edges go with several samples", "[pipeline]") {
+  PipelineState state;
+  state.rasterization.edge_arithmetic = EdgeArithmetic::float_anchored;
+  CHECK(output_refusal_of(state) == "accepted");
+  CHECK_THAT(output_refusal_of(state, {.width = 8, .height = 8, .samples = 4}), Contains("rasterization.edge_arithmetic is 2") && Contains("4 samples"));
+}
+
 TEST_CASE("validate: fragment state out of range is refused with its value", "[pipeline]") {
   const float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
   for (const float reference : {-0.5f, 1.5f, nan}) {

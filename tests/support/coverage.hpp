@@ -66,7 +66,8 @@ struct Coverage {
 class TriangleSet {
  public:
   TriangleSet(std::span<const Triangle> triangles, int width, int height, InstructionSet instruction_set,
-              const PixelRect& clip, std::span<const float> w = {}, std::span<const float> depth = {})
+              const PixelRect& clip, std::span<const float> w = {}, std::span<const float> depth = {},
+              EdgeArithmetic edges = EdgeArithmetic::exact)
       : clip_(intersection(clip, {0, 0, width, height})), tiles_per_row_((width + kTileSize - 1) / kTileSize),
         tile_rows_((height + kTileSize - 1) / kTileSize) {
     fill(triangles, w, depth);
@@ -75,7 +76,9 @@ class TriangleSet {
     if (!clip_.empty()) kept_ = kernels.cull(arrays, static_cast<int>(triangles.size()), vertices_.data(), {}, clip_).kept;
     screen_.resize(static_cast<std::size_t>(kept_));
     kernels.set_up(arrays, kept_, vertices_.data(), false, screen_.data());
-    lists_.build(screen_, clip_, tiles_per_row_, tile_rows_);
+    if (edges != EdgeArithmetic::exact)
+      for (ScreenTriangle& record : screen_) record.is_near = 0, record.edge_arithmetic = edges;
+    lists_.build(screen_, clip_, tiles_per_row_, tile_rows_, edges != EdgeArithmetic::exact ? 0.5 : 0.0);
   }
 
   int kept() const { return kept_; }
@@ -130,9 +133,10 @@ inline constexpr PixelRect kEverything{0, 0, 1 << 20, 1 << 20};
 
 /// What the library's kernels cover.
 inline Coverage covered(std::span<const Triangle> triangles, int width, int height, InstructionSet instruction_set,
-                        const PixelRect& clip = kEverything, Precision precision = Precision::exact) {
+                        const PixelRect& clip = kEverything, Precision precision = Precision::exact,
+                        EdgeArithmetic edges = EdgeArithmetic::exact) {
   Coverage result(width, height, triangles.size());
-  const TriangleSet set(triangles, width, height, instruction_set, clip);
+  const TriangleSet set(triangles, width, height, instruction_set, clip, {}, {}, edges);
   set.for_each_block(block_kernels(instruction_set, precision), [&](const FragmentBlock& block) {
     for (int i = 0; i < kBlockPixels; ++i)
       if ((block.live >> i & 1u) != 0) result.add(block.triangle->primitive, block.left + block_x(i), block.top + block_y(i));
