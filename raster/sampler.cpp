@@ -18,6 +18,7 @@ const char* sentence(const char* format, Values... values) noexcept {
 bool is_known(const Sampler& s) noexcept {
   for (const Wrap wrap : {s.wrap_u, s.wrap_v, s.wrap_w})
     if (wrap > Wrap::border) return false;
+  if (s.weights > FilterWeights::eight_bits || s.footprint > Footprint::ellipse) return false;
   return s.texels <= TexelFilter::bilinear && s.mipmaps <= MipmapFilter::linear && (!s.compare || *s.compare <= Compare::always);
 }
 
@@ -25,7 +26,7 @@ bool is_known(const Sampler& s) noexcept {
 
 const char* refusal_of(const Sampler& sampler) noexcept {
   const auto& [r, g, b, a] = sampler.border;
-  if (!is_known(sampler)) return "a filter, wrap or comparison of the sampler is none of its enumeration";
+  if (!is_known(sampler)) return "a filter, wrap, comparison, weight or footprint of the sampler is none of its enumeration";
   if (!(sampler.max_anisotropy >= 1 && sampler.max_anisotropy <= 16))
     return sentence("the sampler's max_anisotropy is %g, outside 1 to 16", sampler.max_anisotropy);
   if (!std::isfinite(sampler.lod_bias)) return sentence("the sampler's lod_bias is %g; it must be finite", sampler.lod_bias);

@@ -20,6 +20,14 @@ enum class MipmapFilter : std::uint8_t { none, nearest, linear };
 /// What lies outside [0, 1]: the texture again, its edge texels, its mirror image, or a colour.
 enum class Wrap : std::uint8_t { repeat, clamp, mirror, border };
 
+/// The weights of texels within a level: as floats, or rounded to 1/256 as in most hardware, halves up.
+enum class FilterWeights : std::uint8_t { floats, eight_bits };
+
+/// What the level of detail takes for the size of a pixel on the texture: the longer of its steps to
+/// the right and down (and, filtered anisotropically, the shorter), or the axes of the ellipse that
+/// both span. usual: steps where the filter is isotropic, the ellipse where it is not.       [rules T3]
+enum class Footprint : std::uint8_t { usual, steps, ellipse };
+
 struct Sampler {
   TexelFilter texels = TexelFilter::bilinear;
   MipmapFilter mipmaps = MipmapFilter::linear;
@@ -33,6 +41,8 @@ struct Sampler {
   // For depth textures: the mean of the truth values (1 or 0) of "reference <compare> texel" over the
   // texels that the filter reads. Other textures do not look at it.
   std::optional<Compare> compare{};
+  FilterWeights weights = FilterWeights::floats;
+  Footprint footprint = Footprint::usual;
   bool operator==(const Sampler&) const = default;
 };
 

@@ -9,6 +9,7 @@ namespace {
 /// In the order of their enumeration.
 const std::vector<std::string> kPerspectives{"each-pixel", "every-8", "every-16", "every-32", "none"};
 const std::vector<std::string> kEdges{"exact", "exact-64", "float-anchored", "float-plane"};
+const std::vector<std::string> kFilterWeights{"float", "8-bit"}, kFootprints{"usual", "steps", "ellipse"};
 
 template <class Choice>
 Choice choice_named(const std::vector<std::string>& names, const std::string& name) {
@@ -27,8 +28,10 @@ Result<std::pair<int, int>> parse_size(const std::string& text) {
   return Error{"--size: '" + text + "' is not a size like 1920x1080"};
 }
 
-Sampler sampler_named(const std::string& filter) {
-  Sampler sampler;
+Sampler sampler_of(const PictureArguments& arguments) {
+  const std::string& filter = arguments.filter;
+  Sampler sampler{.max_anisotropy = arguments.anisotropy, .weights = choice_named<FilterWeights>(kFilterWeights, arguments.filter_weights),
+                  .footprint = choice_named<Footprint>(kFootprints, arguments.footprint)};
   if (filter == "nearest" || filter == "mipmap-nearest") sampler.texels = TexelFilter::nearest;
   if (filter == "nearest" || filter == "bilinear") sampler.mipmaps = MipmapFilter::none;
   if (filter == "mipmap-nearest") sampler.mipmaps = MipmapFilter::nearest;
@@ -56,6 +59,10 @@ void add_trade_options(CLI::App& command, PictureArguments& arguments) {
   command.add_option("--perspective", arguments.perspective, "Where weights are divided by w: each pixel, every so many pixels of a row, nowhere")
       ->check(CLI::IsMember(kPerspectives))->group("Accuracy");
   command.add_option("--edges", arguments.edges, "Arithmetic of the edge functions")->check(CLI::IsMember(kEdges))->group("Accuracy");
+  command.add_option("--anisotropy", arguments.anisotropy, "Samples along a pixel's footprint on the texture, at most")->check(CLI::Range(1.0f, 16.0f))->group("Accuracy");
+  command.add_option("--filter-weights", arguments.filter_weights, "Weights of texels")->check(CLI::IsMember(kFilterWeights))->group("Accuracy");
+  command.add_option("--footprint", arguments.footprint, "A pixel's size on the texture: by its steps, by their ellipse; usual: ellipse if anisotropic")
+      ->check(CLI::IsMember(kFootprints))->group("Accuracy");
 }
 
 }  // namespace
@@ -84,7 +91,7 @@ Result<RenderOptions> render_options_of(const PictureArguments& arguments) {
   options.shading = *shading_named(arguments.shading);
   options.rasterization.perspective = choice_named<PerspectiveCorrection>(kPerspectives, arguments.perspective);
   options.rasterization.edge_arithmetic = choice_named<EdgeArithmetic>(kEdges, arguments.edges);
-  options.sampler = sampler_named(arguments.filter);
+  options.sampler = sampler_of(arguments);
   options.background = {arguments.background[0], arguments.background[1], arguments.background[2], 1};
   options.colour_format = arguments.format == "rgba8" ? ColourFormat::rgba8 : arguments.format == "rgba32f" ? ColourFormat::rgba32f : ColourFormat::srgb8;
   options.depth_format = arguments.depth_format == "d16" ? DepthFormat::d16 : arguments.depth_format == "d32f" ? DepthFormat::d32f : DepthFormat::d24;

@@ -9,7 +9,8 @@ namespace tuberia::cli {
 
 struct PictureArguments {
   std::string size = "1280x720", shading = "auto", filter = "trilinear", format = "srgb8", depth_format = "d24";
-  std::string perspective = "each-pixel", edges = "exact";
+  std::string perspective = "each-pixel", edges = "exact", filter_weights = "float", footprint = "usual";
+  float anisotropy = 1;
   std::vector<float> background{0.035f, 0.04f, 0.055f};
   RenderOptions options;  // what needs no translation
 };

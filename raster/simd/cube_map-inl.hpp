@@ -91,7 +91,7 @@ template <class F>
 HWY_NOINLINE Vec4<F> filter_face(const Texture& texture, const TextureLevel& level, const Sampler& sampler, const CubeFace& face,
                                  const Vec2<F>& point, const F& reference) {
   const F left = floor(point.x - 0.5f), top = floor(point.y - 0.5f);
-  const F weight_x = (point.x - 0.5f) - left, weight_y = (point.y - 0.5f) - top;
+  const F weight_x = filter_weight((point.x - 0.5f) - left, sampler), weight_y = filter_weight((point.y - 0.5f) - top, sampler);
   const Int x0 = truncate_to_int(left), y0 = truncate_to_int(top), x1 = x0 + Int(1), y1 = y0 + Int(1), n(level.width);
   const Mask none_outside = mask_of(0);
   const auto at = [&](Int x, Int y) HWY_ATTR {

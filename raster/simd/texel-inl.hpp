@@ -50,6 +50,21 @@ HWY_INLINE Int wrap_index(Int i, int size, Wrap wrap) {
 template <class F>
 HWY_INLINE F linear_from_srgb(Int code) { return gather<F>(linear_from_srgb_codes().data(), code); }
 
+/// A texel's weight in [0, 1) as the sampler has it.
+template <class F>
+HWY_INLINE F filter_weight(F weight, const Sampler& sampler) {
+  return sampler.weights == FilterWeights::eight_bits ? floor(weight * 256.0f + 0.5f) * (1.0f / 256.0f) : weight;
+}
+
+/// The square of the longer half axis of the ellipse that a pixel's steps x and y span, of their dot
+/// products: the larger singular value of the matrix of both. Beyond all floats the longer step decides.
+template <class F>
+HWY_INLINE F squared_longer_axis(F x_x, F x_y, F y_y) {
+  const F half = (x_x - y_y) * 0.5f;
+  const F sum = (x_x + y_y) * 0.5f + sqrt(half * half + x_y * x_y);
+  return select(sum <= 3.4028235e38f, sum, max(x_x, y_y));
+}
+
 /// Channels of texels as they are filtered: codes, 0..255, or linear intensities when the codes are sRGB.
 template <class F>
 HWY_INLINE Vec4<F> channels(Int codes, TextureEncoding encoding) {

@@ -91,11 +91,11 @@ struct Axis {
   F weight = F(0.0f);              // of the far one
 
   HWY_INLINE Axis() : near_outside(mask_of(0)), far_outside(mask_of(0)) {}
-  HWY_INLINE Axis(F coordinate, int size, Wrap wrap, TexelFilter filter) : Axis() {
+  HWY_INLINE Axis(F coordinate, int size, Wrap wrap, const Sampler& sampler) : Axis() {
     const F x = reduce_coordinate(coordinate, wrap) * static_cast<float>(size);
-    const F shifted = filter == TexelFilter::nearest ? x : x - 0.5f;
+    const F shifted = sampler.texels == TexelFilter::nearest ? x : x - 0.5f;
     const F first = floor(shifted);
-    if (filter == TexelFilter::bilinear) weight = shifted - first;
+    if (sampler.texels == TexelFilter::bilinear) weight = filter_weight(shifted - first, sampler);
     place(truncate_to_int(first), size, wrap, near, near_outside);
     place(truncate_to_int(first) + Int(1), size, wrap, far, far_outside);
   }
@@ -113,9 +113,9 @@ template <class F>
 HWY_NOINLINE Vec4<F> sample_grid(const Texture& texture, const TextureLevel& level, const Sampler& sampler, const Place<F>& place) {
   const bool has_rows = texture.kind() != TextureKind::one_dimensional;
   const bool has_slices = texture.kind() == TextureKind::three_dimensional;
-  const Axis<F> x(place.at.x, level.width, sampler.wrap_u, sampler.texels);
-  const Axis<F> y = has_rows ? Axis<F>(place.at.y, level.height, sampler.wrap_v, sampler.texels) : Axis<F>();
-  const Axis<F> z = has_slices ? Axis<F>(place.at.z, level.slices, sampler.wrap_w, sampler.texels) : Axis<F>();
+  const Axis<F> x(place.at.x, level.width, sampler.wrap_u, sampler);
+  const Axis<F> y = has_rows ? Axis<F>(place.at.y, level.height, sampler.wrap_v, sampler) : Axis<F>();
+  const Axis<F> z = has_slices ? Axis<F>(place.at.z, level.slices, sampler.wrap_w, sampler) : Axis<F>();
 
   const bool nearest = sampler.texels == TexelFilter::nearest;
   const auto line = [&](Int row, Mask row_outside) HWY_ATTR {

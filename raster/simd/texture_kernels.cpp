@@ -70,11 +70,16 @@ HWY_INLINE Vec4<F> filtered(const CodeReader& from, F u, F v, std::uint32_t live
   return mix_two_levels(from, level, reduced_u, reduced_v, weight, live);
 }
 
+/// Weights of 8 bits and other footprints than the usual are not read on the short way. In one comparison.
+HWY_INLINE bool is_usual(const Sampler& sampler) {
+  return (static_cast<unsigned>(sampler.weights) | static_cast<unsigned>(sampler.footprint)) == 0;
+}
+
 template <Precision P>
 Vec4<Float<P>> sample_lanes(const Texture& texture, const Sampler& sampler, Float<P> u, Float<P> v, std::uint32_t live, LevelGuess& guess) {
   using F = Float<P>;
   if (live == 0) return Vec4<F>(F(0.0f), F(0.0f), F(0.0f), F(0.0f));  // a program may ask when it has discarded all
-  if (is_everyday(texture, sampler)) return filtered<F>({texture, sampler}, u, v, live, guess);
+  if (is_everyday(texture, sampler) && is_usual(sampler)) return filtered<F>({texture, sampler}, u, v, live, guess);
   return sample(texture, sampler, {u, v, F(0.0f)}, F(0.0f), mask_of(live));
 }
 

@@ -61,16 +61,17 @@ HWY_INLINE Steps<F> projected_steps(const Texture& texture, const Vec3<F>& direc
 
 /// What a pixel covers of the texture: an ellipse.
 template <class F>
-struct Footprint {
+struct PixelFootprint {
   F level_of_detail;
   F taps;              // whole, 1..16: how many samples are taken along the longer axis
   F along_x, along_y;  // the longer axis as so many steps to the next pixels, with Euclidean length 1
 };
 
-/// Not filtered anisotropically: the larger step decides.                              [rules T3]
+/// Not filtered anisotropically: the larger step decides, or the ellipse's longer axis.  [rules T3]
 template <class F>
-HWY_INLINE Footprint<F> round_footprint(const Steps<F>& texels) {
-  const F squared = max(dot(texels.x, texels.x), dot(texels.y, texels.y));
+HWY_INLINE PixelFootprint<F> round_footprint(const Steps<F>& texels, Footprint form) {
+  const F x_x = dot(texels.x, texels.x), y_y = dot(texels.y, texels.y);
+  const F squared = form == Footprint::ellipse ? squared_longer_axis(x_x, dot(texels.x, texels.y), y_y) : max(x_x, y_y);
   return {log2(squared) * 0.5f, F(1.0f), F(0.0f), F(0.0f)};
 }
 
@@ -78,12 +79,11 @@ HWY_INLINE Footprint<F> round_footprint(const Steps<F>& texels) {
 /// larger one's square, `area` their product. The level follows from the shorter axis, or from the
 /// part of the longer one that each of the most samples has to cover.          [rules T3, case 38]
 template <class F>
-HWY_INLINE Footprint<F> elliptic_footprint(const Steps<F>& texels, float max_anisotropy) {
+HWY_INLINE PixelFootprint<F> elliptic_footprint(const Steps<F>& texels, float max_anisotropy) {
   const F a = dot(texels.x, texels.x), b = dot(texels.x, texels.y), c = dot(texels.y, texels.y);
   const F half = (a - c) * 0.5f;
   const F root = sqrt(half * half + b * b);
-  const F sum = (a + c) * 0.5f + root;
-  const F longest = select(sum <= 3.4028235e38f, sum, max(a, c));  // beyond all floats the larger step decides
+  const F longest = squared_longer_axis(a, b, c);
   const F area = length(cross(texels.x, texels.y));
   const F ratio = select(area * max_anisotropy > longest, longest / area, F(max_anisotropy));
   const F eta = select((longest > 0.0f) & (ratio > 1.0f), ratio, F(1.0f));
@@ -97,11 +97,22 @@ HWY_INLINE Footprint<F> elliptic_footprint(const Steps<F>& texels, float max_ani
   return {log2(longest) * 0.5f - log2(eta), -floor(-eta), select(is_circle, F(1.0f), along_x * scale), select(is_circle, F(0.0f), along_y * scale)};
 }
 
+/// The longer and the shorter step in place of the axes, however they lie to each other.
+template <class F>
+HWY_INLINE PixelFootprint<F> stepped_footprint(const Steps<F>& texels, float max_anisotropy) {
+  const F a = dot(texels.x, texels.x), c = dot(texels.y, texels.y);
+  const Mask x_longer = a >= c;
+  const F longest = max(a, c), shortest = min(a, c);
+  const F ratio = select(shortest * (max_anisotropy * max_anisotropy) > longest, sqrt(longest / shortest), F(max_anisotropy));
+  const F eta = select((longest > 0.0f) & (ratio > 1.0f), ratio, F(1.0f));
+  return {log2(longest) * 0.5f - log2(eta), -floor(-eta), select(x_longer, F(1.0f), F(0.0f)), select(x_longer, F(0.0f), F(1.0f))};
+}
+
 /// The mean of several samples along the footprint's longer axis, evenly spaced; kept as a running
 /// mean, which leaves a constant texture's colour exactly as it is.
 template <class F>
 HWY_NOINLINE Vec4<F> sample_along(const Texture& texture, const Sampler& sampler, const Place<F>& place, const Steps<F>& steps,
-                                  const Footprint<F>& footprint, const Mask& live) {
+                                  const PixelFootprint<F>& footprint, const Mask& live) {
   const Vec3<F> axis = steps.x * footprint.along_x + steps.y * footprint.along_y;
   const Mask several = footprint.taps > 1.0f;
   Vec4<F> mean{F(0.0f), F(0.0f), F(0.0f), F(0.0f)};
@@ -122,8 +133,9 @@ template <class F>
 HWY_NOINLINE Vec4<F> sample_with_steps(const Texture& texture, const Sampler& sampler, const Place<F>& place, const Steps<F>& steps,
                                        const Steps<F>& texels, const F& given_level, const Mask& has_level, const Mask& live) {
   const bool is_round = !(sampler.max_anisotropy > 1) || texture.kind() == TextureKind::one_dimensional;
-  Footprint<F> footprint = is_round ? round_footprint(texels)
-                                    : elliptic_footprint(texels, sampler.max_anisotropy < 16 ? sampler.max_anisotropy : 16.0f);
+  const float most = sampler.max_anisotropy < 16 ? sampler.max_anisotropy : 16.0f;
+  PixelFootprint<F> footprint = is_round ? round_footprint(texels, sampler.footprint)
+                                : sampler.footprint == Footprint::steps ? stepped_footprint(texels, most) : elliptic_footprint(texels, most);
   footprint.level_of_detail = select(has_level, given_level, footprint.level_of_detail);
   if (is_round) return sample_mixed(texture, sampler, place, footprint.level_of_detail, live);
   footprint.taps = select(has_level, F(1.0f), footprint.taps);

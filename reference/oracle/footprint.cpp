@@ -46,11 +46,35 @@ Interval unit_share(Interval x, Interval y) {
   return share.is_known() ? clamped(widened(share, 0x1p-20), -1.001, 1.001) : Interval{-1.001, 1.001};
 }
 
+/// The larger eigenvalue of ((a, b), (b, c)).
+Interval squared_longer_axis(Interval a, Interval b, Interval c) {
+  const Interval half = (a - c) * Interval(0.5);
+  return (a + c) * Interval(0.5) + root_of(absolute(half) * absolute(half) + absolute(b) * absolute(b));
+}
+
 }  // namespace
 
-Footprint round_footprint(const Steps& texels) {
+Footprint stepped_footprint(const Steps& texels, float max_anisotropy) {
+  const Interval a = squared_length(texels.x), c = squared_length(texels.y);
+  if (!a.is_known() || !c.is_known()) return {unknown(), unknown(), unknown(), unknown()};
+  const Interval longest = larger(a, c);
+  Footprint footprint;
+  // The ratio of the lengths is that of the longer one's square to their product.
+  footprint.taps = taps_of(longest, root_of(a) * root_of(c), static_cast<double>(max_anisotropy));
+  footprint.level_of_detail = log2_of(longest) * Interval(0.5) - log2_of(footprint.taps);
+  const bool x_longer = a.low >= c.high, y_longer = c.low > a.high;
+  footprint.along_x = x_longer ? Interval(1.0) : y_longer ? Interval(0.0) : Interval{0, 1};
+  footprint.along_y = x_longer ? Interval(0.0) : y_longer ? Interval(1.0) : Interval{0, 1};
+  return footprint;
+}
+
+Footprint round_footprint(const Steps& texels, FootprintForm form) {
   const Interval x = squared_length(texels.x), y = squared_length(texels.y);
   if (!x.is_known() || !y.is_known()) return {unknown()};
+  if (form == FootprintForm::ellipse) {
+    const Interval longest = squared_longer_axis(x, dot(texels.x, texels.y), y);
+    return {longest.is_known() ? log2_of(larger(longest, 0.0)) * Interval(0.5) : unknown()};
+  }
   return {log2_of(larger(x, y)) * Interval(0.5)};
 }
 

@@ -11,8 +11,10 @@ struct Footprint {
   Interval along_x = 0.0, along_y = 0.0;  // the longer axis, in steps to the next pixels, of length 1; either way round
 };
 
-/// For steps in texels of level 0: of a pixel whose longer step decides, and of an ellipse.
-Footprint round_footprint(const Steps& texels);
+/// For steps in texels of level 0: of a pixel whose longer step (or axis) decides, of one whose longer and
+/// shorter step do, and of an ellipse.
+Footprint round_footprint(const Steps& texels, FootprintForm form = FootprintForm::usual);
+Footprint stepped_footprint(const Steps& texels, float max_anisotropy);
 Footprint elliptic_footprint(const Steps& texels, float max_anisotropy);
 
 }  // namespace tuberia::oracle

@@ -129,14 +129,23 @@ class LevelReader {
     return colour;
   }
 
+  /// Of the texel after number i.
+  Interval weight(Interval x, std::int64_t i) const {
+    const Interval w = fraction(x, i);
+    if (sampler_.weights == FilterWeights::floats) return w;
+    // A sum that is rounded on its way to a whole number may reach the next one.
+    const auto rounded = [](double a) { return std::floor(a * 256 + 0.5) / 256; };
+    return {rounded(w.low - 0x1p-24), rounded(w.high + 0x1p-24)};
+  }
+
   Colour mean(Interval x, Interval y, Interval z, std::int64_t i, std::int64_t j, std::int64_t k) const {
     const auto row = [&](std::int64_t dj, std::int64_t slice) {
-      return mixed(tap(i, j, slice, 0, dj), tap(i, j, slice, 1, dj), fraction(x, i));
+      return mixed(tap(i, j, slice, 0, dj), tap(i, j, slice, 1, dj), weight(x, i));
     };
     const auto slice = [&](std::int64_t number) {
-      return texture_.kind == TextureKind::one_dimensional ? row(0, number) : mixed(row(0, number), row(1, number), fraction(y, j));
+      return texture_.kind == TextureKind::one_dimensional ? row(0, number) : mixed(row(0, number), row(1, number), weight(y, j));
     };
-    return texture_.kind == TextureKind::three_dimensional ? mixed(slice(k), slice(k + 1), fraction(z, k)) : slice(k);
+    return texture_.kind == TextureKind::three_dimensional ? mixed(slice(k), slice(k + 1), weight(z, k)) : slice(k);
   }
 
   const Texture& texture_;
@@ -222,8 +231,9 @@ Colour mean_along(const Texture& texture, const Sampler& sampler, const TextureP
 /// For steps in texels of level 0.
 Colour sample_footprint(const Texture& texture, const Sampler& sampler, const TexturePoint& point, const Steps& texels) {
   if (!(sampler.max_anisotropy > 1) || texture.kind == TextureKind::one_dimensional)
-    return read_levels(texture, sampler, point, round_footprint(texels).level_of_detail);
-  const Footprint footprint = elliptic_footprint(texels, sampler.max_anisotropy);
+    return read_levels(texture, sampler, point, round_footprint(texels, sampler.footprint).level_of_detail);
+  const bool by_steps = sampler.footprint == FootprintForm::steps;
+  const Footprint footprint = by_steps ? stepped_footprint(texels, sampler.max_anisotropy) : elliptic_footprint(texels, sampler.max_anisotropy);
   if (!footprint.taps.is_known()) return every(unknown());
   const int fewest = static_cast<int>(std::ceil(footprint.taps.low)), most = static_cast<int>(std::ceil(footprint.taps.high));
   Colour result = mean_along(texture, sampler, point, footprint, fewest);

@@ -19,6 +19,9 @@ enum class TexelFilter { nearest, bilinear };
 enum class MipmapFilter { none, nearest, linear };
 enum class Wrap { repeat, clamp, mirror, border };
 
+enum class FilterWeights { floats, eight_bits };
+enum class FootprintForm { usual, steps, ellipse };
+
 struct Sampler {
   TexelFilter texels = TexelFilter::bilinear;
   MipmapFilter mipmaps = MipmapFilter::none;
@@ -27,6 +30,8 @@ struct Sampler {
   float lod_bias = 0, min_lod = 0, max_lod = 1000;
   float max_anisotropy = 1;
   std::optional<Compare> compare;  // of depth textures
+  FilterWeights weights = FilterWeights::floats;
+  FootprintForm footprint = FootprintForm::usual;
 };
 
 /// Linear texels, row by row, slice by slice (or face by face).

@@ -42,6 +42,8 @@ oracle::Sampler random_sampler(Dice& dice, const oracle::Texture& texture) {
   if (dice.one_in(4)) sampler.min_lod = dice.between(0, 2);
   if (dice.one_in(4)) sampler.max_lod = sampler.min_lod + dice.between(0, 2);
   if (dice.one_in(4)) sampler.max_anisotropy = dice.one_in(2) ? dice.between(1, 16) : static_cast<float>(1 << dice.below(5));
+  if (dice.one_in(5)) sampler.weights = oracle::FilterWeights::eight_bits;
+  if (dice.one_in(3)) sampler.footprint = static_cast<oracle::FootprintForm>(dice.below(3));
   if (texture.is_depth && !dice.one_in(3)) sampler.compare = static_cast<oracle::Compare>(dice.below(8));
   return sampler;
 }

@@ -28,6 +28,8 @@ Sampler sampler_of(const oracle::Sampler& from) {
   sampler.min_lod = from.min_lod;
   sampler.max_lod = from.max_lod;
   sampler.max_anisotropy = from.max_anisotropy;
+  sampler.weights = same<FilterWeights>(from.weights);
+  sampler.footprint = same<Footprint>(from.footprint);
   if (from.compare) sampler.compare = same<Compare>(*from.compare);
   return sampler;
 }

@@ -93,6 +93,46 @@ TEST_CASE("sampling: a ramp of four texels between their centres and beyond", "[
   });
 }
 
+TEST_CASE("sampling: weights of eight bits are rounded, and err by half a code at most", "[raster][case-35][trade]") {
+  const Texture ramp = texture_row({0, 85, 170, 255}), steep = texture_row({0, 255});
+  const Sampler eight_bits{.mipmaps = MipmapFilter::none, .wrap_u = Wrap::clamp, .wrap_v = Wrap::clamp, .weights = FilterWeights::eight_bits};
+  for_every_machine([&](InstructionSet set, Precision precision) {
+    const auto code = [&](const Texture& texture, float u) {
+      return 255 * static_cast<double>(samples(texture, eight_bits, {u}, {0.5f}, {set, precision})[0].r);
+    };
+    CHECK(code(ramp, 1.0f / 3) == Approx(70.7227).margin(1e-4));
+    CHECK(code(ramp, 0.25f) == Approx(42.5));
+    double largest = 0;
+    for (int i = 0; i <= 4096; ++i) {
+      const float u = 0.25f + static_cast<float>(i) / 8192;
+      const double weight = i / 4096.0;
+      CHECK(code(steep, u) == Approx(255 * std::floor(weight * 256 + 0.5) / 256).margin(1e-3));
+      largest = std::max(largest, std::abs(code(steep, u) - 255 * weight));
+    }
+    CHECK(largest == Approx(255.0 / 512).epsilon(0.01));
+  });
+}
+
+TEST_CASE("sampling: the ellipse's longer axis in place of the longer step", "[raster][case-38][trade]") {
+  test::Random random(133);
+  Image<Rgba8> noise(256, 256);
+  for (Rgba8& p : noise.pixels()) p.r = static_cast<std::uint8_t>(random.below(256));
+  const Texture texture = *Texture::create(noise, TextureEncoding::linear);
+  const Sampler by_ellipse{.texels = TexelFilter::nearest, .footprint = Footprint::ellipse};
+  struct Known {
+    float dudx, dvdx, dudy, dvdy;
+    double lod;
+  };
+  for_every_machine([&](InstructionSet set, Precision precision) {
+    // log2 of the larger singular value; where the steps are at right angles, it is the longer one.
+    for (const Known& k : {Known{3, 1, -1, 2, 1.6747233}, {5, 0, 4.9f, 0.5f, 2.8093078}, {4, 0, 0, 4, 2}, {0, 1, 3, 0, 1.5849625}}) {
+      const Quad quad(130.25f, 97.5f, k.dudx, k.dvdx, k.dudy, k.dvdy);
+      const auto found = samples(texture, by_ellipse, quad.u, quad.v, {set, precision});
+      for (std::size_t i = 0; i < 4; ++i) CHECK(255 * found[i].r == Approx(nearest_at_lod(texture, quad.u[i], quad.v[i], k.lod)).margin(3e-3));
+    }
+  });
+}
+
 TEST_CASE("sampling: which of five texels a coordinate names", "[raster][case-36]") {
   const Texture five = texture_row({0, 50, 100, 150, 200});
   struct Known {

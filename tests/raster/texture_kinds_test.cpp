@@ -107,6 +107,30 @@ TEST_CASE("texture kinds: the level of detail of round and of elliptic footprint
   });
 }
 
+TEST_CASE("texture kinds: steps or ellipse, whatever the filter", "[raster][case-37][case-38][trade]") {
+  const Texture meter = level_meter(TextureKind::two_dimensional, 256);
+  struct Known {
+    glm::vec2 dx, dy;
+    float anisotropy, steps, ellipse;  // lod by each
+  };
+  const float inf = std::numeric_limits<float>::infinity();
+  test::for_every_machine([&](InstructionSet set, Precision precision) {
+    for (const Known& k : {Known{{3, 1}, {-1, 2}, 16, 1.16096f, 1.13263f}, {{3, 1}, {-1, 2}, 1, 1.66096f, 1.67472f}, {{5, 0}, {4.9f, 0.5f}, 16, 2.30025f, -1.19069f},
+                           {{5, 0}, {4.9f, 0.5f}, 1, 2.32193f, 2.80931f}, {{3, 0}, {0, 1}, 3, 0, 0}, {{16, 0}, {0, 1}, 16, 0, 0}, {{32, 0}, {0, 1}, 16, 1, 1},
+                           {{8, 8}, {-1, 1}, 16, 0.5f, 0.5f}, {{0, 0}, {0, 0}, 16, 0, 0}, {{inf, 0}, {0, 1}, 16, 8, 8}}) {
+      INFO("(" << k.dx.x << ", " << k.dx.y << ") (" << k.dy.x << ", " << k.dy.y << ") anisotropy " << k.anisotropy);
+      const TextureLookup lookup{.at = {0.4f, 0.3f, 0}, .dx = glm::vec3(k.dx / 256.0f, 0), .dy = glm::vec3(k.dy / 256.0f, 0)};
+      const auto lod = [&](Footprint footprint) {  // below level 0 it is seen through a bias
+        const float bias = k.dx == glm::vec2(0) ? 0.0f : 2.0f;
+        return look(meter, {.lod_bias = bias, .max_anisotropy = k.anisotropy, .footprint = footprint}, lookup, {set, precision}).r - bias;
+      };
+      CHECK(lod(Footprint::steps) == Approx(std::min(k.steps, 6.0f)).margin(3e-5));
+      CHECK(lod(Footprint::ellipse) == Approx(std::min(k.ellipse, 6.0f)).margin(3e-5));
+      CHECK(lod(Footprint::usual) == lod(k.anisotropy > 1 ? Footprint::ellipse : Footprint::steps));
+    }
+  });
+}
+
 TEST_CASE("texture kinds: anisotropic samples lie along the footprint", "[raster][case-38]") {
   test::Random random(171);
   const Texture texture = noisy({.format = TextureFormat::rgba32f, .width = 64, .height = 64}, random);
