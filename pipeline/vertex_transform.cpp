@@ -103,6 +103,32 @@ void copy_points(std::span<const glm::vec4> from, WorldVertices& world) {
 
 Triples triples(std::span<const glm::vec3> vectors) { return {&vectors.front().x, vectors.size()}; }
 
+/// Every vertex's clip w, or of the mesh's own vertices what the mesh says.
+void take_fog_coordinates(const MeshView& mesh, VertexBatch& batch) {
+  auto& fog = batch.fog_coordinates;
+  fog.assign(batch.clip_w.begin(), batch.clip_w.begin() + batch.size());
+  if (mesh.fog_coordinates.empty()) return;
+  for (std::size_t slot = 0; slot < batch.source.size(); ++slot) fog[slot] = mesh.fog_coordinates[batch.source[slot]];
+}
+
+/// What fog has at the vertices that clipping made: the weighted sum.
+void interpolate_clipped_fog(VertexBatch& batch) {
+  auto& fog = batch.fog_coordinates;
+  for (std::size_t i = 0; i < batch.clipped.size(); ++i) {
+    const ClippedVertex& v = batch.clipped[i];
+    double sum = 0;
+    for (std::size_t j = 0; j < static_cast<std::size_t>(v.count); ++j) sum += v.weight[j] * static_cast<double>(fog[v.slot[j]]);
+    fog[batch.source.size() + i] = static_cast<float>(sum);
+  }
+}
+
+void copy_fog_to_back_faces(VertexBatch& batch) {
+  if (batch.back_slots == 0) return;
+  const auto size = static_cast<std::size_t>(batch.size()), back = static_cast<std::size_t>(batch.back_slots);
+  batch.fog_coordinates.resize(size + back);
+  std::copy_n(batch.fog_coordinates.begin(), size, batch.fog_coordinates.begin() + static_cast<std::ptrdiff_t>(back));
+}
+
 }  // namespace
 
 VertexTransform::VertexTransform(const TransformState& state, const ClipLimits& limits, InstructionSet instruction_set)
@@ -202,22 +228,19 @@ void VertexTransform::add_back_faces(const MeshView& mesh, int offset, VertexBat
 }
 
 void VertexTransform::fog_coordinates(const MeshView& mesh, VertexBatch& batch) const {
-  const auto size = static_cast<std::size_t>(batch.size()), back = static_cast<std::size_t>(batch.back_slots);
-  auto& fog = batch.fog_coordinates;
-  fog.assign(batch.clip_w.begin(), batch.clip_w.begin() + static_cast<std::ptrdiff_t>(size));
-  if (!mesh.fog_coordinates.empty()) {
-    for (std::size_t slot = 0; slot < batch.source.size(); ++slot) fog[slot] = mesh.fog_coordinates[batch.source[slot]];
-    for (std::size_t i = 0; i < batch.clipped.size(); ++i) {
-      const ClippedVertex& v = batch.clipped[i];
-      double sum = 0;
-      for (std::size_t j = 0; j < static_cast<std::size_t>(v.count); ++j) sum += v.weight[j] * static_cast<double>(fog[v.slot[j]]);
-      fog[batch.source.size() + i] = static_cast<float>(sum);
-    }
-  }
-  if (back > 0) {
-    fog.resize(size + back);
-    std::copy_n(fog.begin(), size, fog.begin() + static_cast<std::ptrdiff_t>(back));
-  }
+  take_fog_coordinates(mesh, batch);
+  if (!mesh.fog_coordinates.empty()) interpolate_clipped_fog(batch);
+  copy_fog_to_back_faces(batch);
+}
+
+void VertexTransform::fog_shares(const MeshView& mesh, const FogState& fog, VertexBatch& batch) const {
+  take_fog_coordinates(mesh, batch);
+  const std::size_t size = batch.fog_coordinates.size();
+  batch.fog_coordinates.resize(size + kKernelPadding);
+  kernels_.fog_shares(fog, static_cast<int>(batch.source.size()), batch.fog_coordinates.data());
+  batch.fog_coordinates.resize(size);
+  interpolate_clipped_fog(batch);
+  copy_fog_to_back_faces(batch);
 }
 
 }  // namespace tuberia

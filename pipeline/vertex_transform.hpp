@@ -28,6 +28,10 @@ class VertexTransform {
   /// The mesh's fog coordinates, interpolated where clipping made vertices; or every vertex's clip w.
   void fog_coordinates(const MeshView& mesh, VertexBatch& batch) const;
 
+  /// In their place the shares of colour that the fog leaves at the vertices, interpolated where clipping
+  /// made some.
+  void fog_shares(const MeshView& mesh, const FogState& fog, VertexBatch& batch) const;
+
  private:
   void fill_in_world(const MeshView& mesh, bool with_points, bool with_normals, WorldVertices& out) const;
   void fill_in_colours(const std::optional<Lighting>& lighting, std::span<const glm::vec4> surface, int offset,

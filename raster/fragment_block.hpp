@@ -31,7 +31,7 @@ struct BlockKernels {
   /// Appends the blocks of one tile that the triangle covers, in memory order, by samples if the
   /// tile has several.
   void (*rasterize)(const ScreenTriangle&, const Tile&, const PixelRect& clip, std::vector<FragmentBlock>& out);
-  /// Mixes the live colours with the fog's, by the fog coordinates of the triangle's vertices.
+  /// Mixes the live colours with the fog's, by the fog coordinates (or shares) of the triangle's vertices.
   void (*fog)(FragmentBlock&, const ChunkView&, const OutputState&);
   /// Alpha to coverage, then the alpha test: clears the live bits that fail.
   void (*alpha_test)(FragmentBlock&, const OutputState&);

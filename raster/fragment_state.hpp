@@ -23,6 +23,7 @@ struct FogState {
   FogMode mode = FogMode::off;
   Rgba32F colour{0, 0, 0, 0};  // linear; its alpha is not used: fog leaves alpha alone
   float density = 1, start = 0, end = 1;  // density >= 0; with start = end a step: all the colour before it, none from there on
+  bool per_vertex = false;  // the share is computed at the vertices and interpolated like a colour, not at each fragment
   bool operator==(const FogState&) const = default;
 };
 

@@ -7,6 +7,7 @@
 
 #include "math/fixed_point.hpp"
 #include "raster/block.hpp"
+#include "raster/fragment_state.hpp"
 #include "raster/instruction_set.hpp"
 #include "raster/screen_triangle.hpp"
 #include "raster/screen_vertex.hpp"
@@ -96,6 +97,9 @@ struct GeometryKernels {
   /// out: x, y, z arrays one after the other, `count` rounded up to kKernelPadding long each.
   void (*transform_points)(const float* matrix, const Triples& positions, const std::uint32_t* source, int count, float* out);
   void (*transform_normals)(const float* matrix, const Triples& normals, const std::uint32_t* source, int count, float* out);
+
+  /// Fog coordinates, in place, to the shares of colour that the fog leaves; its mode is not off.
+  void (*fog_shares)(const FogState& fog, int count, float* coordinates);
 };
 
 const GeometryKernels& geometry_kernels(InstructionSet) noexcept;

@@ -70,7 +70,7 @@ struct ChunkView {
   const float* attributes = nullptr;  // stride floats a vertex slot
   int stride = 0;
   const ScreenShape* shapes = nullptr;  // one for each of `triangles`; null when all are triangles
-  const float* fog = nullptr;           // fog coordinate of each vertex slot; null without fog
+  const float* fog = nullptr;           // fog coordinate of each vertex slot, or its share if the fog is per vertex; null without fog
 };
 
 }  // namespace tuberia

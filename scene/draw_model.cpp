@@ -89,6 +89,7 @@ DrawCall DrawableModel::draw_of(const Mesh& mesh, const ModelView& view, Shading
   draw.state.clipping.volume = view.clip_volume;
   draw.state.culling.cull = view.cull_back && !material.two_sided ? CullFace::back : CullFace::none;
   draw.state.rasterization = view.rasterization;
+  draw.state.fog = view.fog;
   if (view.reversed_depth) draw.state.depth.test = Compare::greater;
   const bool cut_out = material.alpha_cutoff > 0;
   switch (shading) {

@@ -34,6 +34,7 @@ struct ModelView {
   ClipVolume clip_volume = ClipVolume::minus_w_to_w;
   bool reversed_depth = false;
   RasterizationState rasterization{};  // of all draws: the ways to rasterize less exactly, for speed
+  FogState fog{};
 };
 
 /// A model with its textures made ready. Refers to the model, which must outlive it.

@@ -10,6 +10,7 @@ namespace {
 const std::vector<std::string> kPerspectives{"each-pixel", "every-8", "every-16", "every-32", "none"};
 const std::vector<std::string> kEdges{"exact", "exact-64", "float-anchored", "float-plane"};
 const std::vector<std::string> kFilterWeights{"float", "8-bit"}, kFootprints{"usual", "steps", "ellipse"};
+const std::vector<std::string> kFogs{"off", "linear", "exp", "exp2"};
 
 template <class Choice>
 Choice choice_named(const std::vector<std::string>& names, const std::string& name) {
@@ -52,6 +53,15 @@ void add_camera_options(CLI::App& command, CameraOptions& camera) {
   command.add_flag("--orthographic", camera.orthographic, "Parallel projection")->group("Camera");
 }
 
+void add_fog_options(CLI::App& command, PictureArguments& arguments) {
+  FogState& fog = arguments.options.fog;
+  command.add_option("--fog", arguments.fog, "How it thickens with the distance")->check(CLI::IsMember(kFogs))->group("Fog");
+  command.add_option("--fog-density", fog.density, "Of exp and exp2, per world unit")->check(CLI::NonNegativeNumber)->group("Fog");
+  command.add_option("--fog-range", arguments.fog_range, "Of linear: START and END in world units")->expected(2)->group("Fog");
+  command.add_option("--fog-colour", arguments.fog_colour, "Linear R G B")->expected(3)->group("Fog");
+  command.add_flag("--fog-per-vertex", fog.per_vertex, "Compute it at the vertices and interpolate, not at each fragment")->group("Fog");
+}
+
 /// Speed for accuracy, and the other way round.
 void add_trade_options(CLI::App& command, PictureArguments& arguments) {
   command.add_option("--subpixel-bits", arguments.options.rasterization.subpixel_bits, "Vertices are rounded to 2^-BITS pixels")
@@ -80,6 +90,7 @@ void add_picture_options(CLI::App& command, PictureArguments& arguments) {
   command.add_flag("--cull", arguments.options.cull_back, "Leave out triangles seen from behind");
   command.add_option("--background", arguments.background, "Linear R G B")->expected(3);
   add_camera_options(command, arguments.options.camera);
+  add_fog_options(command, arguments);
   add_trade_options(command, arguments);
 }
 
@@ -91,6 +102,9 @@ Result<RenderOptions> render_options_of(const PictureArguments& arguments) {
   options.shading = *shading_named(arguments.shading);
   options.rasterization.perspective = choice_named<PerspectiveCorrection>(kPerspectives, arguments.perspective);
   options.rasterization.edge_arithmetic = choice_named<EdgeArithmetic>(kEdges, arguments.edges);
+  options.fog.mode = choice_named<FogMode>(kFogs, arguments.fog);
+  options.fog.start = arguments.fog_range[0], options.fog.end = arguments.fog_range[1];
+  options.fog.colour = {arguments.fog_colour[0], arguments.fog_colour[1], arguments.fog_colour[2], 1};
   options.sampler = sampler_of(arguments);
   options.background = {arguments.background[0], arguments.background[1], arguments.background[2], 1};
   options.colour_format = arguments.format == "rgba8" ? ColourFormat::rgba8 : arguments.format == "rgba32f" ? ColourFormat::rgba32f : ColourFormat::srgb8;

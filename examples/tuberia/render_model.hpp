@@ -33,6 +33,7 @@ struct RenderOptions {
   DepthFormat depth_format = DepthFormat::d24;
   bool reversed_depth = false;
   RasterizationState rasterization;
+  FogState fog;
   Rgba32F background{0.035f, 0.04f, 0.055f, 1};
   int frames = 3;  // timed; the picture is the last one's
 };

@@ -118,8 +118,8 @@ void apply_fog(FragmentBlock& block, const ChunkView& chunk, const OutputState& 
     F weight[2];
     if (triangle.perspective > kIsAffine) segments.correct(triangle, block.left + block_x(first), block.top + block_y(first), linear, weight);
     else correct_perspective(triangle, linear, weight);
-    const F coordinate = abs(mul_add(weight[1], F(c2), mul_add(weight[0], F(c1), F(c0))));
-    const F share = fog_share(coordinate, state.fog);
+    const F interpolated = mul_add(weight[1], F(c2), mul_add(weight[0], F(c1), F(c0)));
+    const F share = state.fog.per_vertex ? saturate(interpolated) : fog_share(abs(interpolated), state.fog);
     for (int c = 0; c < 3; ++c) store(fogged(load<F>(block.colour[c] + first), fog_colour[c], share), block.colour[c] + first);
   }
 }

@@ -5,6 +5,7 @@
 #include "raster/simd/every_instruction_set.hpp"
 
 #include "raster/simd/culling-inl.hpp"
+#include "raster/simd/fog-inl.hpp"
 #include "raster/simd/set_up-inl.hpp"
 #include "raster/simd/vertex_kernels-inl.hpp"
 
@@ -12,9 +13,13 @@ HWY_BEFORE_NAMESPACE();
 namespace tuberia {
 namespace HWY_NAMESPACE {
 
+void fog_shares(const FogState& fog, int count, float* coordinates) {
+  for (int i = 0; i < count; i += kLanes) store(fog_share(abs(load<ExactFloat>(coordinates + i)), fog), coordinates + i);
+}
+
 const GeometryKernels& kernels() {
   static constexpr GeometryKernels kTable{&transform_positions, &project,          &cull,
-                                          &set_up,              &transform_points, &transform_normals};
+                                          &set_up,              &transform_points, &transform_normals, &fog_shares};
   return kTable;
 }
 

@@ -4,29 +4,11 @@
 #include <cmath>
 
 #include "reference/oracle/cube.hpp"
+#include "reference/oracle/fog.hpp"
 #include "reference/oracle/program.hpp"
 
 namespace tuberia::oracle {
 namespace {
-
-Interval mapped(Interval a, double (*increasing)(double)) { return {increasing(a.low), increasing(a.high)}; }
-
-/// The share of the colour that the fog lets through.
-Interval fog_share(const Fog& fog, Interval c) {
-  if (!c.is_known()) return unknown();
-  const Interval density = static_cast<double>(fog.density);
-  const Interval start = static_cast<double>(fog.start), end = static_cast<double>(fog.end);
-  if (fog.mode == FogMode::linear) {
-    const Interval share = (end - c) / (end - start);
-    return share.is_known() ? clamped(share, 0, 1) : Interval{0, 1};
-  }
-  Interval thickness = density * c;
-  if (fog.mode == FogMode::exp2) thickness = thickness * thickness;
-  if (!thickness.is_known()) return {0, 1};
-  // The documents allow e^x an error: that of the exponent scaled, and that of the power itself.
-  thickness = widened(thickness, 0x1p-21);
-  return clamped(widened(mapped(-thickness, [](double x) { return std::exp(x); }), 1e-6), 0, 1);
-}
 
 std::uint8_t operated(StencilOperation operation, std::uint8_t code, std::uint8_t reference) {
   const auto byte = [](int x) { return static_cast<std::uint8_t>(x & 255); };
@@ -119,7 +101,8 @@ ShadedFragment shaded(const Shape& shape, const Draw& draw, int x, int y) {
   if (draw.program.may_discard())
     fragment.is_kept = outcome_of(Compare::greater_equal, fragment.colour[3], static_cast<double>(draw.program.alpha_cutoff));
   if (draw.fog.mode == FogMode::off) return fragment;
-  const Interval share = fog_share(draw.fog, absolute(interpolated(shape, w, kFogCoordinate)));
+  const Interval at = interpolated(shape, w, kFogCoordinate);
+  const Interval share = !draw.fog.per_vertex ? fog_share(draw.fog, absolute(at)) : at.is_known() ? clamped(at, 0, 1) : Interval{0, 1};
   for (std::size_t i = 0; i < 3; ++i) {
     const Interval fog = static_cast<double>(draw.fog.colour[static_cast<int>(i)]);
     fragment.colour[i] = fog + share * (fragment.colour[i] - fog);

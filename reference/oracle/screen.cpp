@@ -42,7 +42,7 @@ Interval weighted(const Corner& corner, const std::vector<ClipVertex>& vertices,
 }
 
 /// The vertex at a corner: one of the primitive's own, or a new one.
-ClipVertex vertex_at(const Corner& corner, const std::vector<ClipVertex>& vertices, bool has_fog_coordinates) {
+ClipVertex vertex_at(const Corner& corner, const std::vector<ClipVertex>& vertices, bool has_own_fog) {
   if (const int own = corner.vertex(); own >= 0) return vertices[static_cast<std::size_t>(own)];
   ClipVertex made;
   made.x = static_cast<float>(corner.x);
@@ -53,7 +53,7 @@ ClipVertex vertex_at(const Corner& corner, const std::vector<ClipVertex>& vertic
     made.front[i] = weighted(corner, vertices, &ClipVertex::front, i);
     made.back[i] = weighted(corner, vertices, &ClipVertex::back, i);
   }
-  if (!has_fog_coordinates)
+  if (!has_own_fog)
     made.front[kFogCoordinate] = made.back[kFogCoordinate] = static_cast<double>(made.w);
   return made;
 }
@@ -63,7 +63,7 @@ Polygon screen_polygon(const std::vector<ClipVertex>& vertices, const Draw& draw
   Polygon polygon;
   polygon.corners = clipped(vertices, planes, was_cut);
   for (const Corner& corner : polygon.corners)
-    polygon.vertices.push_back(on_screen(vertex_at(corner, vertices, draw.has_fog_coordinates), draw, viewport));
+    polygon.vertices.push_back(on_screen(vertex_at(corner, vertices, draw.has_fog_coordinates || draw.fog.per_vertex), draw, viewport));
   return polygon;
 }
 

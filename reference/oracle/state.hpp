@@ -72,6 +72,7 @@ struct Fog {
   FogMode mode = FogMode::off;
   glm::vec4 colour{0};
   float density = 1, start = 0, end = 1;
+  bool per_vertex = false;
 };
 
 struct BlendFunction {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "reference/oracle/fog.hpp"
 #include "reference/oracle/lighting.hpp"
 #include "reference/oracle/matrices.hpp"
 #include "reference/oracle/texture_coordinates.hpp"
@@ -59,8 +60,9 @@ ClipVertex transformed(const Draw& draw, const InputVertex& in, const DrawMatric
   colour(draw, in, matrices, out);
   out.front[kTexcoord] = out.back[kTexcoord] = static_cast<double>(in.texcoord.x);
   out.front[kTexcoord + 1] = out.back[kTexcoord + 1] = static_cast<double>(in.texcoord.y);
-  out.front[kFogCoordinate] = out.back[kFogCoordinate] =
-      static_cast<double>(draw.has_fog_coordinates ? in.fog_coordinate : out.w);
+  const Interval coordinate = one_float(draw.has_fog_coordinates ? in.fog_coordinate : out.w);
+  const bool has_share = draw.fog.mode != FogMode::off && draw.fog.per_vertex;
+  out.front[kFogCoordinate] = out.back[kFogCoordinate] = has_share ? fog_share(draw.fog, absolute(coordinate)) : coordinate;
   for (std::size_t unit = 0; unit < matrices.units.size(); ++unit) {
     const glm::vec4 strq = matrices.units[unit](in);
     for (std::size_t i = 0; i < 4; ++i)

@@ -123,6 +123,7 @@ void random_blending(Dice& dice, Draw& draw, const TargetDescription& target) {
 void random_trades(Dice& dice, Draw& draw, const TargetDescription& target) {
   if (dice.one_in(6)) draw.subpixel_bits = static_cast<int>(dice.below(9));
   if (dice.one_in(4)) draw.perspective = any<oracle::PerspectiveCorrection>(dice, 5);
+  draw.fog.per_vertex = dice.one_in(3);
   if (target.samples == 1 && dice.one_in(6)) draw.edge_arithmetic = any<oracle::EdgeArithmetic>(dice, 4);
 }
 

@@ -162,7 +162,7 @@ BlendFunction function_of(const oracle::BlendFunction& f) {
 }
 
 void translate_fragments(const oracle::Draw& draw, PipelineState& state) {
-  state.fog = {same<FogMode>(draw.fog.mode), rgba(draw.fog.colour), draw.fog.density, draw.fog.start, draw.fog.end};
+  state.fog = {same<FogMode>(draw.fog.mode), rgba(draw.fog.colour), draw.fog.density, draw.fog.start, draw.fog.end, draw.fog.per_vertex};
   state.alpha_test = {same<Compare>(draw.alpha_test), draw.alpha_reference};
   state.multisampling.alpha_to_coverage = draw.alpha_to_coverage;
   state.stencil = {draw.stencil.enabled, face_of(draw.stencil.front), face_of(draw.stencil.back)};
