@@ -8,10 +8,6 @@
 
 namespace tuberia::bench {
 
-constexpr std::string_view name_of(Precision precision) noexcept {
-  return precision == Precision::exact ? "exact" : "fast";
-}
-
 /// "stage/what/size/isa/precision". isa may also be "scalar", or what else does the work.
 std::string benchmark_name(std::string_view stage, std::string_view what, std::string_view size, std::string_view isa,
                            Precision precision);

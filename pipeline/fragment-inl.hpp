@@ -140,6 +140,8 @@ struct ProgramBase {
   static constexpr Attributes interpolated = Attributes::none;
   static constexpr Attributes flat = Attributes::none;
   static constexpr bool may_discard = false;
+  /// Whether there are kernels for each ingredient of the precision fast alone.
+  static constexpr bool has_ingredients = false;
   /// Whether shade() returns the interpolated colour as it is and reads nothing else.
   static constexpr bool passes_colour_on = false;
   /// Why a draw with these uniforms must be refused; null when it need not.

@@ -275,12 +275,20 @@ void shade_block(const FragmentJob& job, const ChunkView& chunk, FragmentBlock& 
   for (int s = 0; s < block.samples; ++s) block.sample_live[s] &= kept;
 }
 
-/// The kernels of a program for the instruction set that is being compiled.
+template <class Program, Precision P>
+inline constexpr ProgramKernels kKernels{&draw_tile<Program, P>, &shade_block<Program, P>};
+
+/// The kernels of a program for the instruction set that is being compiled. Validation lets only those
+/// precisions come here that the program has.
 template <class Program>
 const ProgramKernels& kernels_of(Precision precision) {
-  static constexpr ProgramKernels kExact{&draw_tile<Program, Precision::exact>, &shade_block<Program, Precision::exact>};
-  static constexpr ProgramKernels kFast{&draw_tile<Program, Precision::fast>, &shade_block<Program, Precision::fast>};
-  return precision == Precision::exact ? kExact : kFast;
+  if constexpr (Program::has_ingredients) {
+    if (precision == Precision::fast_reciprocal) return kKernels<Program, Precision::fast_reciprocal>;
+    if (precision == Precision::fast_inverse_sqrt) return kKernels<Program, Precision::fast_inverse_sqrt>;
+    if (precision == Precision::fused_multiply_add) return kKernels<Program, Precision::fused_multiply_add>;
+    if (precision == Precision::fast_power) return kKernels<Program, Precision::fast_power>;
+  }
+  return precision == Precision::fast ? kKernels<Program, Precision::fast> : kKernels<Program, Precision::exact>;
 }
 
 }  // namespace HWY_NAMESPACE

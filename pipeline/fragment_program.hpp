@@ -39,6 +39,7 @@ struct ProgramInterface {
   Attributes flat = Attributes::none;          // as at its first vertex
   const ProgramKernels& (*kernels)(InstructionSet, Precision) = nullptr;
   bool may_discard = false;
+  bool has_ingredients = false;  // kernels for each ingredient of Precision::fast alone
   const char* (*refusal)(const void* uniforms) = nullptr;  // why these cannot be drawn with; null if they can
 
   constexpr Attributes attributes() const noexcept { return interpolated | flat; }

@@ -40,13 +40,13 @@ Pipeline::Pipeline(const PipelineOptions& options) : options_(options), workers_
 }
 
 Result<DrawStatistics> Pipeline::draw(RenderTarget& target, const DrawCall& draw_call) {
-  const Result<AcceptedDraw> accepted = validate(draw_call, target, workers_);     // stage 0
+  const Result<AcceptedDraw> accepted = validate(draw_call, target, workers_, options_.precision);     // stage 0
   if (!accepted) return accepted.error();
   return run(target, draw_call, *accepted, workers_, NoTap{});
 }
 
 Result<DrawStatistics> Pipeline::draw(RenderTarget& target, const DrawCall& draw_call, Observer& observer) {
-  const Result<AcceptedDraw> accepted = validate(draw_call, target, workers_);
+  const Result<AcceptedDraw> accepted = validate(draw_call, target, workers_, options_.precision);
   if (!accepted) return accepted.error();
   observer.begin(draw_call, *accepted);
   Workers one(1);
@@ -57,7 +57,7 @@ Result<DrawStatistics> Pipeline::draw(RenderTarget& target, const DrawCall& draw
 
 Result<DrawStatistics> Pipeline::draw(RenderTarget& target, const DrawCall& draw_call, DrawTimes& times) {
   const auto begin = std::chrono::steady_clock::now();
-  const Result<AcceptedDraw> accepted = validate(draw_call, target, workers_);
+  const Result<AcceptedDraw> accepted = validate(draw_call, target, workers_, options_.precision);
   times.validation += std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::steady_clock::now() - begin).count();
   if (!accepted) return accepted.error();
   return run(target, draw_call, *accepted, workers_, ClockTap(times));

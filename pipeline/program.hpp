@@ -48,6 +48,7 @@
           TUBERIA_RETURN_FOR(set, NAME##_kernels(precision))                               \
         },                                                                                 \
         .may_discard = HWY_NAMESPACE::PROGRAM::may_discard,                                \
+        .has_ingredients = HWY_NAMESPACE::PROGRAM::has_ingredients,                        \
         .refusal = [](const void* uniforms) -> const char* {                               \
           using Program = HWY_NAMESPACE::PROGRAM;                                          \
           return Program::refusal(*static_cast<const Program::Uniforms*>(uniforms));       \

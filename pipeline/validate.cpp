@@ -11,13 +11,14 @@
 
 namespace tuberia {
 
-Result<AcceptedDraw> validate(const DrawCall& draw, const RenderTarget& target, Workers& workers) {
+Result<AcceptedDraw> validate(const DrawCall& draw, const RenderTarget& target, Workers& workers, Precision precision) {
   const PipelineState& state = draw.state;
   const Viewport viewport = state.viewport.viewport.value_or(Viewport{0, 0, target.width(), target.height()});
   const DepthRange& range = state.viewport.depth_range;
   if (auto refusal = check_enumerations(state)) return *std::move(refusal);
   if (auto refusal = check_mesh(draw.mesh, workers)) return *std::move(refusal);
   if (auto refusal = check_program(draw)) return *std::move(refusal);
+  if (auto refusal = check_precision(draw.program.interface(), precision)) return *std::move(refusal);
   if (auto refusal = check_texture_coordinates(draw.mesh, state.transform, draw.program.interface().attributes())) return *std::move(refusal);
   if (auto refusal = check_viewport(viewport, range)) return *std::move(refusal);
   if (auto refusal = check_geometry(state)) return *std::move(refusal);

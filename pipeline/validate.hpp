@@ -19,6 +19,7 @@ struct AcceptedDraw {
 /// Error naming the culprit: an index beyond the vertices, attribute arrays of the wrong length, a
 /// program without its attributes, a viewport or depth range out of bounds, bad lighting; sizes, widths
 /// and offsets out of range, numbers that are not finite, fog without an extent.
-Result<AcceptedDraw> validate(const DrawCall& draw, const RenderTarget& target, Workers& workers);
+/// Or a precision that the program has no kernels for.
+Result<AcceptedDraw> validate(const DrawCall& draw, const RenderTarget& target, Workers& workers, Precision precision = Precision::exact);
 
 }  // namespace tuberia

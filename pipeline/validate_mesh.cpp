@@ -115,4 +115,13 @@ Refusal check_program(const DrawCall& draw) {
   return check_lighting(mesh, transform.back_lighting, "the lighting of back faces");
 }
 
+Refusal check_precision(const ProgramInterface& program, Precision precision) {
+  if (precision == Precision::exact || precision == Precision::fast) return {};
+  if (!is_one_ingredient(precision))
+    return Error{"the pipeline's precision is " + std::to_string(static_cast<int>(precision)) + ", which is neither exact nor fast nor one ingredient of fast"};
+  if (program.has_ingredients) return {};
+  return Error{"program '" + std::string(program.name) + "' has kernels for exact and fast, not for the ingredient '" +
+               std::string(name_of(precision)) + "' of fast alone"};
+}
+
 }  // namespace tuberia

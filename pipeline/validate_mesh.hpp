@@ -15,4 +15,7 @@ Refusal check_mesh(const MeshView& mesh, Workers& workers);
 /// A program, and lighting, that find what they read.
 Refusal check_program(const DrawCall& draw);
 
+/// A precision that the program has kernels for.
+Refusal check_precision(const ProgramInterface& program, Precision precision);
+
 }  // namespace tuberia

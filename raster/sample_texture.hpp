@@ -23,7 +23,7 @@ struct TextureLookup {
 };
 
 /// Linear intensities, one for each lookup; as many as fit in `colours`. Any float is safe anywhere:
-/// numbers that are not finite read some texel, or the border.                       [rules T2]
+/// numbers that are not finite read some texel, or the border. Any precision but fast counts as exact. [rules T2]
 void sample_texture(const Texture& texture, const Sampler& sampler, std::span<const TextureLookup> lookups,
                     std::span<Rgba32F> colours, InstructionSet instruction_set = best_instruction_set(),
                     Precision precision = Precision::exact);

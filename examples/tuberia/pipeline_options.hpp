@@ -16,8 +16,8 @@ struct PipelineArguments {
 };
 
 inline void add_pipeline_options(CLI::App& command, PipelineArguments& arguments) {
-  command.add_option("--precision", arguments.precision, "exact: the same bits everywhere; fast: may round otherwise")
-      ->check(CLI::IsMember({"exact", "fast"}));
+  command.add_option("--precision", arguments.precision, "exact: the same bits everywhere; fast: may round otherwise; others: one ingredient of fast, where the program has it")
+      ->check(CLI::IsMember({"exact", "fast", "reciprocal", "inverse-sqrt", "fused", "power"}));
   command.add_option("--threads", arguments.threads, "0: one a core")->check(CLI::Range(0, 1024));
   command.add_option("--isa", arguments.instruction_set, "Instruction set")->check(CLI::IsMember({"auto", "sse4", "neon", "baseline", "avx2", "avx3"}));
 }
@@ -26,7 +26,7 @@ inline void add_pipeline_options(CLI::App& command, PipelineArguments& arguments
 inline Result<PipelineOptions> options_of(const PipelineArguments& arguments) {
   PipelineOptions options;
   options.threads = arguments.threads;
-  options.precision = arguments.precision == "fast" ? Precision::fast : Precision::exact;
+  options.precision = *precision_named(arguments.precision);
   if (arguments.instruction_set == "auto") return options;
   const auto wanted = instruction_set_named(arguments.instruction_set);
   if (!wanted || !is_supported(*wanted)) {
@@ -39,7 +39,7 @@ inline Result<PipelineOptions> options_of(const PipelineArguments& arguments) {
 }
 
 inline std::string description_of(const PipelineOptions& options, int threads) {
-  return std::string(options.precision == Precision::exact ? "exact, " : "fast, ") + std::string(name_of(options.instruction_set)) +
+  return std::string(name_of(options.precision)) + ", " + std::string(name_of(options.instruction_set)) +
          ", " + std::to_string(threads) + (threads == 1 ? " thread" : " threads");
 }
 

@@ -10,6 +10,7 @@ TUBERIA_PROGRAM_BEGIN
 struct Phong : ProgramBase {
   using Uniforms = Lighting;
   static constexpr Attributes interpolated = Attributes::position | Attributes::normal;
+  static constexpr bool has_ingredients = true;
   static const char* refusal(const Lighting& lighting) { return refusal_of(lighting); }
 
   template <class Fragment>

@@ -8,6 +8,7 @@ TUBERIA_PROGRAM_BEGIN
 struct TexturedGouraud : ProgramBase {
   using Uniforms = TexturedUniforms;
   static constexpr Attributes interpolated = Attributes::texcoord | Attributes::colour;
+  static constexpr bool has_ingredients = true;
   static const char* refusal(const Uniforms& uniforms) { return uniforms.texture ? nullptr : "it has no texture"; }
 
   template <class Fragment>

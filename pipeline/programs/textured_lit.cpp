@@ -12,6 +12,7 @@ struct TexturedLitProgram : ProgramBase {
   using Uniforms = TexturedLitUniforms;
   static constexpr Attributes interpolated = Attributes::position | Attributes::normal | Attributes::texcoord;
   static constexpr bool may_discard = kCutOut;
+  static constexpr bool has_ingredients = !kCutOut;
   static const char* refusal(const Uniforms& uniforms) {
     return uniforms.texture ? refusal_of(uniforms.lighting) : "it has no texture";
   }

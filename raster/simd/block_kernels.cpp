@@ -189,12 +189,24 @@ void blend_block(const FragmentBlock& block, const OutputState& state, const Til
   }
 }
 
+/// All but the fog are made of multiply-adds alone.
+template <Precision P>
+inline constexpr Precision kFusedOrNot = contains(P, Precision::fused_multiply_add) ? Precision::fast : Precision::exact;
+
+template <Precision P>
+inline constexpr BlockKernels kBlockTable{&rasterize<kFusedOrNot<P>>, &apply_fog<P>, &test_alpha<kFusedOrNot<P>>, &test_depth<kFusedOrNot<P>>,
+                                          &blend_block<kFusedOrNot<P>>};
+
 const BlockKernels& block_table(Precision precision) {
-  static constexpr BlockKernels kExact{&rasterize<Precision::exact>, &apply_fog<Precision::exact>, &test_alpha<Precision::exact>, &test_depth<Precision::exact>,
-                                       &blend_block<Precision::exact>};
-  static constexpr BlockKernels kFast{&rasterize<Precision::fast>, &apply_fog<Precision::fast>, &test_alpha<Precision::fast>, &test_depth<Precision::fast>,
-                                      &blend_block<Precision::fast>};
-  return precision == Precision::exact ? kExact : kFast;
+  switch (precision) {
+    case Precision::exact:
+    case Precision::fast_inverse_sqrt: break;
+    case Precision::fast_reciprocal: return kBlockTable<Precision::fast_reciprocal>;
+    case Precision::fused_multiply_add: return kBlockTable<Precision::fused_multiply_add>;
+    case Precision::fast_power: return kBlockTable<Precision::fast_power>;
+    case Precision::fast: return kBlockTable<Precision::fast>;
+  }
+  return kBlockTable<Precision::exact>;
 }
 
 }  // namespace HWY_NAMESPACE

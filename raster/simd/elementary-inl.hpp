@@ -14,10 +14,16 @@ HWY_BEFORE_NAMESPACE();
 namespace tuberia {
 namespace HWY_NAMESPACE {
 
+/// What these functions compute with: all of fast, or none of it.
+template <class F>
+using Elementary = Float<contains(F::kPrecision, Precision::fast_power) ? Precision::fast : Precision::exact>;
+
 /// Logarithm to base 2 of a normal number a > 0; anything else counts as the smallest normal number.
 /// Largest relative error 3e-7; fast 4e-7, next to 1 on machines that cannot fuse (precision_test).
-template <class F>
-HWY_INLINE F log2(F a) {
+template <class Any>
+HWY_INLINE Any log2(Any number) {
+  using F = Elementary<Any>;
+  const F a(number.v);
   // a = 2^exponent * mantissa with the mantissa in [sqrt(1/2), sqrt(2)), so that a near 1 has
   // exponent 0 and keeps its relative precision.
   constexpr std::int32_t kBitsOfRootHalf = 0x3f3504f3;
@@ -35,14 +41,16 @@ HWY_INLINE F log2(F a) {
   series = mul_add(series, square, F(0.57707802f));        // 2 / (5 ln 2)
   series = mul_add(series, square, F(0.96179669f));        // 2 / (3 ln 2)
   series = mul_add(series, square, F(2.88539008f));        // 2 / ln 2
-  return mul_add(s, series, exponent);
+  return Any(mul_add(s, series, exponent).v);
 }
 
 /// 2^a. Below -126 the result is 0, above 127.49 it is 2^127.49 (so that the power of two below
 /// stays finite); not-a-number gives 0.
 /// Largest relative error 2e-7 on [-126, 127] (precision_test).
-template <class F>
-HWY_INLINE F exp2(F a) {
+template <class Any>
+HWY_INLINE Any exp2(Any number) {
+  using F = Elementary<Any>;
+  const F a(number.v);
   const F bounded = min(select(a > -127.0f, a, F(-127.0f)), F(127.49f));
   const F whole = floor(bounded + 0.5f);
   const F x = bounded - whole;  // in [-1/2, 1/2]; the Taylor series' next term is below 6e-9
@@ -55,7 +63,7 @@ HWY_INLINE F exp2(F a) {
   series = mul_add(series, x, F(6.9314718e-1f));
   series = mul_add(series, x, F(1.0f));
   const F power = float_of_bits<F>(shift_left<23>(truncate_to_int(whole) + Int(127)));
-  return select(a < -126.0f, F(0.0f), series * power);
+  return Any(select(a < -126.0f, F(0.0f), series * power).v);
 }
 
 /// base^exponent for base >= 0; a negative base counts as 0; 0^0 is 1.               [rules S2]

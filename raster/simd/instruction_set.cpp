@@ -72,5 +72,24 @@ std::optional<InstructionSet> instruction_set_named(std::string_view name) noexc
   return std::nullopt;
 }
 
+std::string_view name_of(Precision precision) noexcept {
+  switch (precision) {
+    case Precision::exact: break;
+    case Precision::fast_reciprocal: return "reciprocal";
+    case Precision::fast_inverse_sqrt: return "inverse-sqrt";
+    case Precision::fused_multiply_add: return "fused";
+    case Precision::fast_power: return "power";
+    case Precision::fast: return "fast";
+  }
+  return "exact";
+}
+
+std::optional<Precision> precision_named(std::string_view name) noexcept {
+  for (const Precision precision : {Precision::exact, Precision::fast_reciprocal, Precision::fast_inverse_sqrt, Precision::fused_multiply_add,
+                                    Precision::fast_power, Precision::fast})
+    if (name_of(precision) == name) return precision;
+  return std::nullopt;
+}
+
 }  // namespace tuberia
 #endif

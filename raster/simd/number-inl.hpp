@@ -240,14 +240,14 @@ HWY_INLINE Float<P> sqrt(Float<P> a) { return Float<P>(hn::Sqrt(a.v)); }
 /// a * b + c: two roundings when exact; when fast one, where the machine can.
 template <Precision P>
 HWY_INLINE Float<P> mul_add(Float<P> a, Float<P> b, Float<P> c) {
-  if constexpr (P == Precision::fast) return Float<P>(hn::MulAdd(a.v, b.v, c.v));
+  if constexpr (contains(P, Precision::fused_multiply_add)) return Float<P>(hn::MulAdd(a.v, b.v, c.v));
   else return a * b + c;
 }
 
 /// 1/a. Largest relative error, fast: 3e-7 for 1e-30 <= |a| <= 1e30 (precision_test).
 template <Precision P>
 HWY_INLINE Float<P> reciprocal(Float<P> a) {
-  if constexpr (P == Precision::fast) {
+  if constexpr (contains(P, Precision::fast_reciprocal)) {
     const Float<P> guess(hn::ApproximateReciprocal(a.v));
     return guess * Float<P>(hn::NegMulAdd(guess.v, a.v, hn::Set(FloatTag{}, 2.0f)));
   } else {
@@ -258,7 +258,7 @@ HWY_INLINE Float<P> reciprocal(Float<P> a) {
 /// 1/sqrt(a) for a > 0. Largest relative error, fast: 5e-7 for 1e-30 <= a <= 1e30 (precision_test).
 template <Precision P>
 HWY_INLINE Float<P> inverse_sqrt(Float<P> a) {
-  if constexpr (P == Precision::fast) {
+  if constexpr (contains(P, Precision::fast_inverse_sqrt)) {
     const Float<P> guess(hn::ApproximateReciprocalSqrt(a.v));
     return guess * (1.5f - (a * 0.5f) * (guess * guess));
   } else {

@@ -89,7 +89,7 @@ class TriangleWalk {
       lowest = (delta < 0 ? large : small) * delta + lowest;
       highest = (delta < 0 ? small : large) * delta + highest;
     }
-    if constexpr (F::kPrecision == Precision::fast) {  // lanes fuse what is done here in two steps
+    if constexpr (contains(F::kPrecision, Precision::fused_multiply_add)) {  // lanes fuse what is done here in two steps
       const float margin = 0x1p-20f * (is_near_ ? 1.0f : planes_.magnitude()) * (std::abs(triangle_->depth) + std::abs(triangle_->depth_delta[0]) + std::abs(triangle_->depth_delta[1]));
       lowest -= margin;
       highest += margin;

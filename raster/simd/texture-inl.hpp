@@ -23,13 +23,18 @@ struct LevelGuess {
   int level = 0;
 };
 
+/// Which precision sampling has in a program's: it divides and takes roots exactly whatever that is.
+constexpr Precision sampling_precision(Precision p) {
+  return p == Precision::fast_reciprocal || p == Precision::fast_inverse_sqrt ? Precision::exact : p;
+}
+
 /// Linear intensities at (u, v); live: bit i is lane i, at least one.
-/// Defined in texture_kernels.cpp for both precisions.
+/// Defined in texture_kernels.cpp for each precision of sampling.
 template <Precision P>
 Vec4<Float<P>> sample_lanes(const Texture& texture, const Sampler& sampler, Float<P> u, Float<P> v, std::uint32_t live, LevelGuess& guess);
 
 /// The same for any kind of texture and sampler. at: kLanes each of s, t, r and the reference.
-/// Defined in texture_kinds_kernels.cpp for both precisions.
+/// Defined in texture_kinds_kernels.cpp for each precision of sampling.
 template <Precision P>
 void sample_any_lanes(const Texture& texture, const Sampler& sampler, const float* at, std::uint32_t live, float* rgba);
 
@@ -42,7 +47,14 @@ HWY_INLINE bool is_everyday(const Texture& texture, const Sampler& sampler) {
 /// derivatives; their own result means nothing. Of a box the slice r = 0 is read.
 template <Precision P>
 HWY_INLINE Vec4<Float<P>> sample(const Texture& texture, const Sampler& sampler, Vec2<Float<P>> uv, Mask live, LevelGuess& guess) {
-  return sample_lanes(texture, sampler, uv.x, uv.y, bits_of(live), guess);
+  using F = Float<P>;
+  if constexpr (sampling_precision(P) == P) {
+    return sample_lanes(texture, sampler, uv.x, uv.y, bits_of(live), guess);
+  } else {
+    using Sampled = Float<sampling_precision(P)>;
+    const Vec4<Sampled> colour = sample_lanes(texture, sampler, Sampled(uv.x.v), Sampled(uv.y.v), bits_of(live), guess);
+    return {F(colour.x.v), F(colour.y.v), F(colour.z.v), F(colour.w.v)};
+  }
 }
 template <Precision P>
 HWY_INLINE Vec4<Float<P>> sample(const Texture& texture, const Sampler& sampler, Vec2<Float<P>> uv, Mask live) {
@@ -60,7 +72,7 @@ HWY_INLINE Vec4<Float<P>> sample(const Texture& texture, const Sampler& sampler,
   store(at.y, coordinates + kLanes);
   store(at.z, coordinates + 2 * kLanes);
   store(reference, coordinates + 3 * kLanes);
-  sample_any_lanes<P>(texture, sampler, coordinates, bits_of(live), rgba);
+  sample_any_lanes<sampling_precision(P)>(texture, sampler, coordinates, bits_of(live), rgba);
   return {load<F>(rgba), load<F>(rgba + kLanes), load<F>(rgba + 2 * kLanes), load<F>(rgba + 3 * kLanes)};
 }
 

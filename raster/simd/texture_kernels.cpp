@@ -84,6 +84,8 @@ Vec4<Float<P>> sample_lanes(const Texture& texture, const Sampler& sampler, Floa
 }
 
 template Vec4<Float<Precision::exact>> sample_lanes(const Texture&, const Sampler&, Float<Precision::exact>, Float<Precision::exact>, std::uint32_t, LevelGuess&);
+template Vec4<Float<Precision::fused_multiply_add>> sample_lanes(const Texture&, const Sampler&, Float<Precision::fused_multiply_add>, Float<Precision::fused_multiply_add>, std::uint32_t, LevelGuess&);
+template Vec4<Float<Precision::fast_power>> sample_lanes(const Texture&, const Sampler&, Float<Precision::fast_power>, Float<Precision::fast_power>, std::uint32_t, LevelGuess&);
 template Vec4<Float<Precision::fast>> sample_lanes(const Texture&, const Sampler&, Float<Precision::fast>, Float<Precision::fast>, std::uint32_t, LevelGuess&);
 
 }  // namespace HWY_NAMESPACE

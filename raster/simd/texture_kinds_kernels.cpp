@@ -178,6 +178,8 @@ void sample_any_lanes(const Texture& texture, const Sampler& sampler, const floa
 }
 
 template void sample_any_lanes<Precision::exact>(const Texture&, const Sampler&, const float*, std::uint32_t, float*);
+template void sample_any_lanes<Precision::fused_multiply_add>(const Texture&, const Sampler&, const float*, std::uint32_t, float*);
+template void sample_any_lanes<Precision::fast_power>(const Texture&, const Sampler&, const float*, std::uint32_t, float*);
 template void sample_any_lanes<Precision::fast>(const Texture&, const Sampler&, const float*, std::uint32_t, float*);
 
 /// Up to kLanes lookups, side by side.
@@ -221,8 +223,8 @@ void sample_lookups(const Texture& texture, const Sampler& sampler, std::span<co
 
 inline void sample_lookups_in(Precision precision, const Texture& texture, const Sampler& sampler, std::span<const TextureLookup> lookups,
                               std::span<Rgba32F> colours) {
-  if (precision == Precision::exact) sample_lookups<Precision::exact>(texture, sampler, lookups, colours);
-  else sample_lookups<Precision::fast>(texture, sampler, lookups, colours);
+  if (precision == Precision::fast) sample_lookups<Precision::fast>(texture, sampler, lookups, colours);
+  else sample_lookups<Precision::exact>(texture, sampler, lookups, colours);
 }
 
 }  // namespace HWY_NAMESPACE

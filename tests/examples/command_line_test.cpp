@@ -51,6 +51,8 @@ TEST_CASE("tuberia: refuses bad input in one line and leaves no file", "[example
                               {"render triangle.obj -o out.png --filter-weights 4-bit", "4-bit"},
                               {"render triangle.obj -o out.png --footprint round", "round"},
                               {"render triangle.obj -o out.png --fog thick", "thick"},
+                              {"render triangle.obj -o out.png --precision careless", "careless"},
+                              {"render triangle.obj -o out.png --program flat --precision power", "'power'"},
                               {"render triangle.obj -o out.png --fog exp --fog-density -1", "--fog-density"},
                               {"render triangle.obj", "--output"},
                               {"paint triangle.obj", "paint"},
