@@ -22,6 +22,8 @@ Refusal check_lighting(const Lighting& lighting) {
   if (Refusal refusal = check_finite("alpha", lighting.alpha)) return refusal;
   if (!(lighting.shininess >= 0) || !std::isfinite(lighting.shininess))
     return Error{"shininess is " + words_of(lighting.shininess) + "; it must be finite and not negative"};
+  if (lighting.normals > NormalInterpolation::not_renormalized)
+    return Error{"normals is " + std::to_string(static_cast<int>(lighting.normals)) + "; its enumeration ends with 2"};
   for (int i = 0; i < lighting.light_count; ++i) {
     const Light& light = lighting.lights[static_cast<std::size_t>(i)];
     const std::string name = "lights[" + std::to_string(i) + "]";

@@ -37,6 +37,10 @@ struct Light {
   bool operator==(const Light&) const = default;
 };
 
+/// What a program that lights fragments does with the interpolated normal, which is shorter than 1:
+/// makes it unit; takes one step of Newton's method towards that, n (3 - n.n) / 2; or leaves it.
+enum class NormalInterpolation : std::uint8_t { renormalized, one_step, not_renormalized };
+
 /// The local model's constants [B 2-4, 2-7]: I = ambient + sum over the lights of
 /// Ip * (diffuse (N.L) + specular (R.V)^shininess), or (N.H) instead of (R.V).
 struct Lighting {
@@ -51,6 +55,7 @@ struct Lighting {
   glm::vec3 eye{0, 0, 1};            // world space
   std::array<Light, kMaxLights> lights{};
   int light_count = 1;               // 0..kMaxLights
+  NormalInterpolation normals = NormalInterpolation::renormalized;  // at fragments
   bool operator==(const Lighting&) const = default;
 };
 
@@ -73,6 +78,9 @@ struct TransformState {
   glm::mat4 world_from_object{1.0f};
   glm::mat4 clip_from_world{1.0f};
   std::optional<Lighting> vertex_lighting{};  // when set, light times the mesh's colours (Gouraud)
+  // When set, in place of the mesh's custom attribute: the cosines of this lighting's first two lights,
+  // (n.l, n.h) or (n.l, r.v) each, for the program dot_product.
+  std::optional<Lighting> vertex_cosines{};
   // Triangles that are turned away take other colours: MeshView::back_colours (or its colours if it
   // has none), lit by back_lighting (or vertex_lighting) with the normals turned round.
   bool two_sided_colours = false;

@@ -108,9 +108,10 @@ Refusal check_program(const DrawCall& draw) {
   if (auto refusal = needs(Attributes::position, !mesh.screen_positions.empty(), "positions in the world")) return refusal;
   if (auto refusal = needs(Attributes::normal, mesh.normals.empty(), "normals")) return refusal;
   if (auto refusal = needs(Attributes::texcoord, mesh.texcoords.empty(), "texture coordinates")) return refusal;
-  if (auto refusal = needs(Attributes::custom, mesh.custom.empty(), "custom attributes")) return refusal;
+  if (auto refusal = needs(Attributes::custom, mesh.custom.empty() && !draw.state.transform.vertex_cosines, "custom attributes")) return refusal;
   const TransformState& transform = draw.state.transform;
   if (auto refusal = check_lighting(mesh, transform.vertex_lighting, "vertex lighting")) return refusal;
+  if (auto refusal = check_lighting(mesh, transform.vertex_cosines, "vertex cosines")) return refusal;
   if (!transform.two_sided_colours) return {};
   return check_lighting(mesh, transform.back_lighting, "the lighting of back faces");
 }

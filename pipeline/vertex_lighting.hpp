@@ -12,4 +12,8 @@ using VertexLightingKernel = void (*)(const Lighting&, const float* points, cons
 
 VertexLightingKernel vertex_lighting_kernel(InstructionSet) noexcept;
 
+/// In place of colours n.l and n.h (or r.v) of the first light and of the second, an array each; 0 of a
+/// light that is not there.
+VertexLightingKernel vertex_cosines_kernel(InstructionSet) noexcept;
+
 }  // namespace tuberia

@@ -192,6 +192,13 @@ void VertexTransform::fill_in_colours(const std::optional<Lighting>& lighting, s
   scatter(world.colours.data(), 4, offset, batch);
 }
 
+void VertexTransform::fill_in_cosines(int offset, VertexBatch& batch) const {
+  WorldVertices& world = batch.world;
+  make_room(world.colours, static_cast<std::size_t>(world.pitch) * 4);
+  vertex_cosines_kernel(instruction_set_)(*state_.vertex_cosines, world.points.data(), world.normals.data(), world.pitch, world.colours.data());
+  scatter(world.colours.data(), 4, offset, batch);
+}
+
 void VertexTransform::attributes(const MeshView& mesh, Attributes wanted, const TriangleBatch& triangles, VertexBatch& batch,
                                  const LineBatch& lines, const PointBatch& points) const {
   batch.stride = vertex_stride(wanted);
@@ -199,7 +206,8 @@ void VertexTransform::attributes(const MeshView& mesh, Attributes wanted, const 
   batch.back_slots = two_sided ? batch.size() : 0;
   if (batch.stride == 0 || (triangles.count == 0 && lines.empty() && points.empty())) return;
   make_room(batch.attributes, static_cast<std::size_t>(batch.size() + batch.back_slots) * static_cast<std::size_t>(batch.stride));
-  const bool lit = has_colours && (state_.vertex_lighting || (two_sided && state_.back_lighting));
+  const bool has_cosines = contains(wanted, Attributes::custom) && state_.vertex_cosines;
+  const bool lit = has_cosines || (has_colours && (state_.vertex_lighting || (two_sided && state_.back_lighting)));
 
   list_used(triangles, lines, points, batch);
   WorldVertices& world = batch.world;
@@ -208,7 +216,8 @@ void VertexTransform::attributes(const MeshView& mesh, Attributes wanted, const 
   if (contains(wanted, Attributes::position)) scatter(world.points.data(), 3, offset(Attributes::position), batch);
   if (contains(wanted, Attributes::normal)) scatter(world.normals.data(), 3, offset(Attributes::normal), batch);
   if (contains(wanted, Attributes::texcoord)) copy(mesh.texcoords, glm::vec2(0), offset(Attributes::texcoord), batch);
-  if (contains(wanted, Attributes::custom)) copy(mesh.custom, glm::vec4(0), offset(Attributes::custom), batch);
+  if (has_cosines) fill_in_cosines(offset(Attributes::custom), batch);
+  else if (contains(wanted, Attributes::custom)) copy(mesh.custom, glm::vec4(0), offset(Attributes::custom), batch);
   if (has_colours) fill_in_colours(state_.vertex_lighting, mesh.colours, offset(Attributes::colour), batch);
   const auto used = static_cast<std::size_t>(world.count);
   write_texture_coordinates(mesh, state_, wanted, std::span(world.slots).first(used), std::span(world.sources).first(used), batch);

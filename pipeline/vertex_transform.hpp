@@ -36,6 +36,7 @@ class VertexTransform {
   void fill_in_world(const MeshView& mesh, bool with_points, bool with_normals, WorldVertices& out) const;
   void fill_in_colours(const std::optional<Lighting>& lighting, std::span<const glm::vec4> surface, int offset,
                        VertexBatch& batch) const;
+  void fill_in_cosines(int offset, VertexBatch& batch) const;
   void add_back_faces(const MeshView& mesh, int offset, VertexBatch& batch) const;
 
   TransformState state_;

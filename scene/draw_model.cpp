@@ -10,7 +10,7 @@
 namespace tuberia {
 namespace {
 
-constexpr std::array<std::string_view, 7> kNames{"auto", "flat", "gouraud", "phong", "blinn", "textured", "textured-lit"};
+constexpr std::array<std::string_view, 8> kNames{"auto", "flat", "gouraud", "phong", "blinn", "textured", "textured-lit", "dot-product"};
 
 const Material& material_of(const Model& model, const Mesh& mesh) {
   static const Material kPlain{};
@@ -35,6 +35,7 @@ Lighting lighting_of(const Material& material, const ModelView& view) {
   lighting.lights[0] = {Light::Kind::directional, world_from_view * glm::normalize(glm::vec3(-0.5f, 0.8f, 0.9f)), glm::vec3(0.82f)};
   lighting.lights[1] = {Light::Kind::directional, world_from_view * glm::normalize(glm::vec3(0.9f, 0.1f, 0.5f)), glm::vec3(0.2f)};
   lighting.light_count = 2;
+  lighting.normals = view.normals;
   return lighting;
 }
 
@@ -97,6 +98,10 @@ DrawCall DrawableModel::draw_of(const Mesh& mesh, const ModelView& view, Shading
     case Shading::gouraud:
       draw.state.transform.vertex_lighting = lighting;
       draw.program = shading == Shading::flat ? flat() : gouraud();
+      break;
+    case Shading::dot_product:
+      draw.state.transform.vertex_cosines = lighting;
+      draw.program = dot_product(lighting);
       break;
     case Shading::textured:
       draw.program = textured({.texture = textures_[static_cast<std::size_t>(material.texture)], .sampler = view.sampler,

@@ -17,7 +17,7 @@ namespace tuberia {
 
 /// How a model's surfaces are shown. automatic: textured and lit where there is a texture, Gouraud
 /// where there are vertex colours, Blinn-Phong otherwise.
-enum class Shading { automatic, flat, gouraud, phong, blinn, textured, textured_lit };
+enum class Shading { automatic, flat, gouraud, phong, blinn, textured, textured_lit, dot_product };
 
 std::string_view name_of(Shading) noexcept;
 std::optional<Shading> shading_named(std::string_view name) noexcept;
@@ -35,6 +35,7 @@ struct ModelView {
   bool reversed_depth = false;
   RasterizationState rasterization{};  // of all draws: the ways to rasterize less exactly, for speed
   FogState fog{};
+  NormalInterpolation normals = NormalInterpolation::renormalized;
 };
 
 /// A model with its textures made ready. Refers to the model, which must outlive it.

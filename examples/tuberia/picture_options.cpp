@@ -11,6 +11,7 @@ const std::vector<std::string> kPerspectives{"each-pixel", "every-8", "every-16"
 const std::vector<std::string> kEdges{"exact", "exact-64", "float-anchored", "float-plane"};
 const std::vector<std::string> kFilterWeights{"float", "8-bit"}, kFootprints{"usual", "steps", "ellipse"};
 const std::vector<std::string> kFogs{"off", "linear", "exp", "exp2"};
+const std::vector<std::string> kNormals{"renormalized", "one-step", "not-renormalized"};
 
 template <class Choice>
 Choice choice_named(const std::vector<std::string>& names, const std::string& name) {
@@ -73,6 +74,7 @@ void add_trade_options(CLI::App& command, PictureArguments& arguments) {
   command.add_option("--filter-weights", arguments.filter_weights, "Weights of texels")->check(CLI::IsMember(kFilterWeights))->group("Accuracy");
   command.add_option("--footprint", arguments.footprint, "A pixel's size on the texture: by its steps, by their ellipse; usual: ellipse if anisotropic")
       ->check(CLI::IsMember(kFootprints))->group("Accuracy");
+  command.add_option("--normals", arguments.normals, "What lit fragments do with interpolated normals")->check(CLI::IsMember(kNormals))->group("Accuracy");
 }
 
 }  // namespace
@@ -105,6 +107,7 @@ Result<RenderOptions> render_options_of(const PictureArguments& arguments) {
   options.fog.mode = choice_named<FogMode>(kFogs, arguments.fog);
   options.fog.start = arguments.fog_range[0], options.fog.end = arguments.fog_range[1];
   options.fog.colour = {arguments.fog_colour[0], arguments.fog_colour[1], arguments.fog_colour[2], 1};
+  options.normals = choice_named<NormalInterpolation>(kNormals, arguments.normals);
   options.sampler = sampler_of(arguments);
   options.background = {arguments.background[0], arguments.background[1], arguments.background[2], 1};
   options.colour_format = arguments.format == "rgba8" ? ColourFormat::rgba8 : arguments.format == "rgba32f" ? ColourFormat::rgba32f : ColourFormat::srgb8;

@@ -9,7 +9,7 @@ namespace tuberia::cli {
 
 struct PictureArguments {
   std::string size = "1280x720", shading = "auto", filter = "trilinear", format = "srgb8", depth_format = "d24";
-  std::string perspective = "each-pixel", edges = "exact", filter_weights = "float", footprint = "usual", fog = "off";
+  std::string perspective = "each-pixel", edges = "exact", filter_weights = "float", footprint = "usual", fog = "off", normals = "renormalized";
   float anisotropy = 1;
   std::vector<float> fog_range{0, 1}, fog_colour{0.5f, 0.5f, 0.5f};
   std::vector<float> background{0.035f, 0.04f, 0.055f};

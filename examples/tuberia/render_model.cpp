@@ -90,7 +90,7 @@ Result<Frame> prepare(const Model& model, const RenderOptions& options) {
   const ModelView view{.world_from_object = world_from_object, .camera = *matrices, .eye = glm::vec3(camera->eye), .shading = options.shading,
                        .sampler = options.sampler, .cull_back = options.cull_back,
                        .clip_volume = camera->clip_volume, .reversed_depth = options.reversed_depth,
-                       .rasterization = options.rasterization, .fog = options.fog};
+                       .rasterization = options.rasterization, .fog = options.fog, .normals = options.normals};
   return Frame{.target = *std::move(target), .drawable = *drawable, .draws = drawable->draws(view), .camera = *camera, .matrices = *matrices,
                .world_from_object = world_from_object, .background = options.background, .far_depth = options.reversed_depth ? 0.0f : 1.0f};
 }

@@ -34,6 +34,7 @@ struct RenderOptions {
   bool reversed_depth = false;
   RasterizationState rasterization;
   FogState fog;
+  NormalInterpolation normals = NormalInterpolation::renormalized;
   Rgba32F background{0.035f, 0.04f, 0.055f, 1};
   int frames = 3;  // timed; the picture is the last one's
 };

@@ -16,35 +16,62 @@ HWY_BEFORE_NAMESPACE();
 namespace tuberia {
 namespace HWY_NAMESPACE {
 
-/// cos^n of the angle between the mirror direction and the eye (Phong), or between the normal and
+/// The normal that a fragment is lit with, from the interpolated one.       [B 3.3] [FIX 7]
+template <class F>
+HWY_INLINE Vec3<F> fragment_normal(const Lighting& lighting, Vec3<F> interpolated) {
+  switch (lighting.normals) {
+    case NormalInterpolation::renormalized: break;
+    case NormalInterpolation::one_step: return interpolated * ((3.0f - dot(interpolated, interpolated)) * 0.5f);
+    case NormalInterpolation::not_renormalized: return interpolated;
+  }
+  return normalize(interpolated);
+}
+
+/// Cosine of the angle between the mirror direction and the eye (Phong), or between the normal and
 /// the halfway vector (Blinn).                                                [B 2-7] [C]
 template <class F>
-HWY_INLINE F highlight(const Lighting& lighting, Vec3<F> n, Vec3<F> l, Vec3<F> v) {
-  const F cosine = lighting.halfway ? dot(n, normalize(l + v)) : dot(-reflect(l, n), v);
-  return pow(max(cosine, 0.0f), F(lighting.shininess));
+HWY_INLINE F highlight_cosine(const Lighting& lighting, Vec3<F> n, Vec3<F> l, Vec3<F> v) {
+  return lighting.halfway ? dot(n, normalize(l + v)) : dot(-reflect(l, n), v);
+}
+
+/// n, or where it is turned away from the eye and the lighting two-sided, -n.
+template <class F>
+HWY_INLINE Vec3<F> facing_normal(const Lighting& lighting, Vec3<F> n, Vec3<F> v) {
+  if (!lighting.two_sided) return n;
+  const Mask away = dot(n, v) < 0.0f;
+  return {select(away, -n.x, n.x), select(away, -n.y, n.y), select(away, -n.z, n.z)};
+}
+
+/// Unit vector towards a light.
+template <class F>
+HWY_INLINE Vec3<F> towards_light(const Light& light, Vec3<F> point) {
+  const Vec3<F> towards(light.towards);
+  return light.kind == Light::Kind::directional ? towards : normalize(towards - point);
+}
+
+/// One light's share, from the cosines of light and highlight; the latter is only asked for where
+/// something shines. Both terms vanish where the light is below the surface.  [B 2-4, 2-7]
+template <class F, class HighlightCosine>
+HWY_INLINE Vec3<F> reflected_light(const Lighting& lighting, const Light& light, Vec3<F> diffuse, F light_cosine,
+                                   const HighlightCosine& highlight_cosine_of) {
+  const F cosine = max(light_cosine, 0.0f);
+  Vec3<F> reflected = diffuse * cosine;
+  if (lighting.specular != glm::vec3(0)) {
+    const F power = pow(max(highlight_cosine_of(), 0.0f), F(lighting.shininess));
+    reflected = reflected + Vec3<F>(lighting.specular) * select(cosine > 0.0f, power, F(0.0f));
+  }
+  return Vec3<F>(light.intensity) * reflected;
 }
 
 /// Reflected light at a point. n, v: unit, away from the surface. diffuse: kd there.
-/// Both terms of a light vanish where it is below the surface.                [B 2-4, 2-7]
 template <class F>
 HWY_INLINE Vec3<F> illuminate(const Lighting& lighting, Vec3<F> point, Vec3<F> n, Vec3<F> v, Vec3<F> diffuse) {
-  if (lighting.two_sided) {
-    const Mask away = dot(n, v) < 0.0f;
-    n = {select(away, -n.x, n.x), select(away, -n.y, n.y), select(away, -n.z, n.z)};
-  }
-  const bool shines = lighting.specular != glm::vec3(0);
+  n = facing_normal(lighting, n, v);
   Vec3<F> sum(lighting.ambient);
   for (int i = 0; i < lighting.light_count; ++i) {
     const Light& light = lighting.lights[static_cast<std::size_t>(i)];
-    const Vec3<F> towards(light.towards);
-    const Vec3<F> l = light.kind == Light::Kind::directional ? towards : normalize(towards - point);
-    const F cosine = max(dot(n, l), 0.0f);
-    Vec3<F> reflected = diffuse * cosine;
-    if (shines) {
-      const F strength = select(cosine > 0.0f, highlight(lighting, n, l, v), F(0.0f));
-      reflected = reflected + Vec3<F>(lighting.specular) * strength;
-    }
-    sum = sum + Vec3<F>(light.intensity) * reflected;
+    const Vec3<F> l = towards_light(light, point);
+    sum = sum + reflected_light(lighting, light, diffuse, dot(n, l), [&]() HWY_ATTR { return highlight_cosine(lighting, n, l, v); });
   }
   return sum;
 }

@@ -17,7 +17,7 @@ struct Phong : ProgramBase {
   static HWY_INLINE auto shade(Fragment& in, const Lighting& lighting) {
     using F = typename Fragment::Number;
     const Vec3<F> point = in.position();
-    const Vec3<F> normal = normalize(in.normal());
+    const Vec3<F> normal = fragment_normal(lighting, in.normal());
     const Vec3<F> eye = normalize(Vec3<F>(lighting.eye) - point);
     const Vec3<F> colour = illuminate(lighting, point, normal, eye, Vec3<F>(lighting.diffuse));
     return Vec4<F>(colour, F(lighting.alpha));

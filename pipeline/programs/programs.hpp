@@ -33,8 +33,13 @@ struct TexturedLitUniforms {
 FragmentProgram flat();
 /// Vertex colours, interpolated [B 3.2]; with vertex lighting, Gouraud shading.
 FragmentProgram gouraud();
-/// The local model at every fragment, with the interpolated normal renormalized [B 3.3, FIX 7].
+/// The local model at every fragment; Lighting::normals says what becomes of the interpolated normal,
+/// renormalized unless set otherwise [B 3.3, FIX 7].
 FragmentProgram phong(const Lighting& lighting);
+/// The local model of interpolated cosines: less than Phong shading interpolates, and no normal is made
+/// unit. For one or two lights; TransformState::vertex_cosines, set to the same lighting, makes what it
+/// reads, or the mesh has it as its custom attribute.
+FragmentProgram dot_product(const Lighting& lighting);
 /// The texture times its tint. cut_out: fragments below the alpha cutoff are discarded.
 FragmentProgram textured(TexturedUniforms uniforms, bool cut_out = false);
 /// The texture times the interpolated vertex colours, lit or not; tint and cutoff are not read.

@@ -25,7 +25,7 @@ struct TexturedLitProgram : ProgramBase {
 
     const Lighting& lighting = uniforms.lighting;
     const Vec3<F> point = in.position();
-    const Vec3<F> normal = normalize(in.normal());
+    const Vec3<F> normal = fragment_normal(lighting, in.normal());
     const Vec3<F> eye = normalize(Vec3<F>(lighting.eye) - point);
     // The surface reflects ambient light as it does the lights': by its own colour.
     const Vec3<F> direct = illuminate(lighting, point, normal, eye, texel.rgb() * Vec3<F>(lighting.diffuse));

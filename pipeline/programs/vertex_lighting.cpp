@@ -27,6 +27,24 @@ inline void light_vertices(const Lighting& lighting, const float* points, const 
   }
 }
 
+inline void find_cosines(const Lighting& lighting, const float* points, const float* normals, int pitch, float* cosines) {
+  using F = Float<Precision::exact>;
+  const auto triple = [&](const float* arrays, int i) HWY_ATTR {
+    return Vec3<F>{load<F>(arrays + i), load<F>(arrays + pitch + i), load<F>(arrays + 2 * pitch + i)};
+  };
+  for (int i = 0; i < pitch; i += kLanes) {
+    const Vec3<F> point = triple(points, i);
+    const Vec3<F> eye = normalize(Vec3<F>(lighting.eye) - point), normal = facing_normal(lighting, triple(normals, i), eye);
+    for (int k = 0; k < 2; ++k) {
+      const Vec3<F> l = towards_light(lighting.lights[static_cast<std::size_t>(k)], point);
+      const bool is_on = k < lighting.light_count;
+      store(is_on ? dot(normal, l) : F(0.0f), cosines + 2 * k * pitch + i);
+      store(is_on ? highlight_cosine(lighting, normal, l, eye) : F(0.0f), cosines + (2 * k + 1) * pitch + i);
+    }
+  }
+}
+
+inline VertexLightingKernel vertex_cosines() { return &find_cosines; }
 inline VertexLightingKernel light_vertices_kernel() { return &light_vertices; }
 
 }  // namespace HWY_NAMESPACE
@@ -38,6 +56,10 @@ namespace tuberia {
 
 VertexLightingKernel vertex_lighting_kernel(InstructionSet instruction_set) noexcept {
   TUBERIA_RETURN_FOR(instruction_set, light_vertices_kernel())
+}
+
+VertexLightingKernel vertex_cosines_kernel(InstructionSet instruction_set) noexcept {
+  TUBERIA_RETURN_FOR(instruction_set, vertex_cosines())
 }
 
 }  // namespace tuberia
