@@ -8,7 +8,9 @@
 #include "examples/tuberia/pipeline_options.hpp"
 #include "examples/tuberia/render_model.hpp"
 #include "examples/tuberia/views.hpp"
+#include "image/box_filter.hpp"
 #include "image/write_image.hpp"
+#include "math/colour.hpp"
 #include "scene/load_model.hpp"
 
 namespace tuberia::cli {
@@ -17,6 +19,7 @@ namespace {
 struct RenderArguments {
   std::string model, output, depth_output, view = "colour";
   bool statistics = false;
+  int supersample = 1;  // pixels drawn each way for every one of the picture
   PictureArguments picture;
   PipelineArguments pipeline;
 };
@@ -28,8 +31,23 @@ void print_statistics(const Rendering& rendering) {
               with_commas(s.triangles_clipped).c_str(), with_commas(s.triangles_drawn).c_str());
 }
 
+/// Of linear intensities, as the target would have stored them.
+Image<Rgba8> codes_of(const Image<Rgba32F>& image, ColourFormat format) {
+  Image<Rgba8> codes(image.width(), image.height());
+  for (std::size_t i = 0; i < codes.pixels().size(); ++i) {
+    const Rgba32F& p = image.pixels()[i];
+    const auto code = [&](float c) { return format == ColourFormat::srgb8 ? srgb_code_from_linear(static_cast<double>(c)) : unorm8_from_linear(c); };
+    codes.pixels()[i] = {code(p.r), code(p.g), code(p.b), unorm8_from_linear(p.a)};
+  }
+  return codes;
+}
+
 Result<Nothing> write_results(const RenderArguments& arguments, const Rendering& rendering) {
   const bool is_float = arguments.output.ends_with(".pfm") || arguments.output.ends_with(".hdr");
+  if (arguments.supersample > 1) {
+    const Image<Rgba32F> image = box_filtered(rendering.target.linear_image(), arguments.supersample);
+    return is_float ? write_image(arguments.output, image) : write_image(arguments.output, codes_of(image, rendering.target.colour_format()));
+  }
   auto written = is_float ? write_image(arguments.output, rendering.target.linear_image())
                           : write_image(arguments.output, rendering.target.colour_image());
   if (!written || arguments.depth_output.empty()) return written;
@@ -49,8 +67,11 @@ int run_render(const RenderArguments& arguments) {
   const bool is_map = arguments.view != "colour";
   if (is_map && !arguments.depth_output.empty()) return fail("--view " + arguments.view + " draws a map; --depth goes with the model's colours");
   if (is_map && arguments.statistics) return fail("--view " + arguments.view + " draws a map; --stats goes with the model's colours");
-  const auto options = render_options_of(arguments.picture);
+  if (arguments.supersample > 1 && (is_map || !arguments.depth_output.empty())) return fail("--supersample goes with the model's colours, not with --view or --depth");
+  auto options = render_options_of(arguments.picture);
   if (!options) return fail(options.error().message);
+  options->width_pixels *= arguments.supersample;
+  options->height_pixels *= arguments.supersample;
   const auto pipeline_options = options_of(arguments.pipeline);
   if (!pipeline_options) return fail(pipeline_options.error().message);
 
@@ -79,6 +100,8 @@ Run add_render(CLI::App& parent, CLI::App*& command) {
   command->add_option("--view", arguments->view, "What the picture shows: the model's colours, or a map with a legend")
       ->check(CLI::IsMember(view_names()));
   command->add_option("--depth", arguments->depth_output, "Also write the depths: .pfm, or .png in 8 bits");
+  command->add_option("--supersample", arguments->supersample, "Draw so many pixels each way for each of the picture, and take their mean in linear light")
+      ->check(CLI::Range(1, 16))->group("Accuracy");
   command->add_option("--frames", arguments->picture.options.frames, "Frames to time; the median counts")->check(CLI::Range(1, 10000));
   command->add_flag("--stats", arguments->statistics, "Print what became of vertices and triangles");
   add_picture_options(*command, arguments->picture);
