@@ -14,7 +14,7 @@ namespace tuberia {
 inline constexpr int kBlockSize = 8;                              // pixels, each way
 inline constexpr int kBlockPixels = kBlockSize * kBlockSize;      // 64: one bit each in a mask
 #ifndef TUBERIA_TILE_SIZE
-#define TUBERIA_TILE_SIZE 64  // only the tests of invariance compile with another
+#define TUBERIA_TILE_SIZE 64  // only script/verify_determinism builds with others
 #endif
 inline constexpr int kTileSize = TUBERIA_TILE_SIZE;               // pixels, each way
 inline constexpr int kBlocksPerTileRow = kTileSize / kBlockSize;

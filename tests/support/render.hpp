@@ -8,22 +8,10 @@
 
 #include "pipeline/pipeline.hpp"
 #include "pipeline/programs/programs.hpp"
+#include "tests/support/mesh.hpp"
 #include "tests/support/sha256.hpp"
 
 namespace tuberia::test {
-
-/// A mesh that owns its arrays.
-struct Mesh {
-  std::vector<glm::vec3> positions, normals;
-  std::vector<glm::vec2> texcoords;
-  std::vector<glm::vec4> colours, custom;
-  std::vector<std::uint32_t> indices;
-
-  MeshView view() const {
-    return {.positions = positions, .normals = normals, .texcoords = texcoords, .colours = colours, .custom = custom,
-            .indices = indices};
-  }
-};
 
 /// Where and how a test draws.
 struct Canvas {
