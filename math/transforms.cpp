@@ -171,6 +171,17 @@ glm::mat4 rotation(const glm::dvec3& axis, double angle_radians) noexcept {
   return glm::mat4(result);
 }
 
+glm::mat4 mirror(const glm::dvec3& normal, double distance) noexcept {
+  const double squared = glm::dot(normal, normal);
+  if (!(squared > 0.0)) return glm::mat4(1.0f);
+  // Each point moves by twice its distance, along the normal: p - 2 (n.p - d) / (n.n) n.
+  glm::dmat4 result(1.0);
+  for (int column = 0; column < 3; ++column)
+    result[column] -= glm::dvec4(normal * (2.0 * normal[column] / squared), 0.0);
+  result[3] += glm::dvec4(normal * (2.0 * distance / squared), 0.0);
+  return glm::mat4(result);
+}
+
 glm::mat4 compose(const glm::mat4& to_from_middle, const glm::mat4& middle_from_source) noexcept {
   return glm::mat4(glm::dmat4(to_from_middle) * glm::dmat4(middle_from_source));
 }

@@ -62,6 +62,10 @@ glm::mat4 scaling(const glm::dvec3& factors) noexcept;
 /// The axis need not be unit; the zero axis gives the identity.
 glm::mat4 rotation(const glm::dvec3& axis, double angle_radians) noexcept;
 
+/// Reflection at the plane of the points p with normal . p = distance. The normal need not be unit; a
+/// zero one gives the identity. It is its own inverse and turns every winding round.
+glm::mat4 mirror(const glm::dvec3& normal, double distance) noexcept;
+
 /// The product to_from_middle * middle_from_source, summed in double and rounded once.
 glm::mat4 compose(const glm::mat4& to_from_middle, const glm::mat4& middle_from_source) noexcept;
 
