@@ -30,37 +30,6 @@ Image<Rgba8> gradient(int width, int height, int offset) {
 
 }  // namespace
 
-TEST_CASE("image: CIEDE2000 gives the values that Sharma et al. published", "[image][compare]") {
-  struct Pair {
-    Lab first, second;
-    double expected;
-  };
-  const Pair pairs[] = {
-      {{50, 2.6772, -79.7751}, {50, 0, -82.7485}, 2.0425},
-      {{50, 3.1571, -77.2803}, {50, 0, -82.7485}, 2.8615},
-      {{50, 0, 0}, {50, -1, 2}, 2.3669},
-      {{50, 2.49, -0.001}, {50, -2.49, 0.0009}, 7.1792},
-      {{50, 2.49, -0.001}, {50, -2.49, 0.0011}, 7.2195},
-      {{50, 2.5, 0}, {73, 25, -18}, 27.1492},
-      {{2.0776, 0.0795, -1.1350}, {0.9033, -0.0636, -0.5514}, 0.9082},
-  };
-  for (const auto& [first, second, expected] : pairs) {
-    CAPTURE(first.l, first.a, first.b, second.l, second.a, second.b);
-    CHECK(ciede2000(first, second) == Approx(expected).margin(1e-4));
-    CHECK(ciede2000(second, first) == Approx(expected).margin(1e-4));
-    CHECK(ciede2000(first, first) == 0.0);
-  }
-}
-
-TEST_CASE("image: all pixels off by one code is 48.13 dB", "[image][compare]") {
-  const Result<Comparison> result = compare(grey(40, 30, 100), grey(40, 30, 101));
-  REQUIRE(result.ok());
-  CHECK(result->psnr_db == Approx(48.1308036086791).epsilon(1e-14));
-  CHECK(result->largest_difference == 1);
-  CHECK(result->differing_pixels == 40 * 30);
-  CHECK(!result->equal);
-}
-
 TEST_CASE("image: identical images are equal by every metric", "[image][compare]") {
   const Image<Rgba8> image = gradient(50, 40, 0);
   const Result<Comparison> result = compare(image, image);
@@ -72,16 +41,6 @@ TEST_CASE("image: identical images are equal by every metric", "[image][compare]
   CHECK(result->ssim == 1.0);
   CHECK(result->mean_ciede2000 == 0.0);
   CHECK(result->largest_ciede2000 == 0.0);
-}
-
-TEST_CASE("image: SSIM of constant images is what the formula gives", "[image][compare]") {
-  const auto [width, height] =
-      GENERATE(std::pair{1, 1}, std::pair{5, 200}, std::pair{11, 11}, std::pair{64, 48});
-  CAPTURE(width, height);
-  CHECK(compare(grey(width, height, 100), grey(width, height, 110))->ssim ==
-        Approx(0.9954764440915066).epsilon(1e-9));
-  CHECK(compare(grey(width, height, 0), grey(width, height, 255))->ssim ==
-        Approx(9.999e-5).epsilon(1e-4));
 }
 
 TEST_CASE("image: SSIM falls with noise and sees a window's own contrast", "[image][compare]") {

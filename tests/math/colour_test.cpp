@@ -3,7 +3,6 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
-#include <initializer_list>
 #include <limits>
 
 namespace tuberia {
@@ -12,13 +11,6 @@ namespace {
 
 constexpr float kFloatInfinity = std::numeric_limits<float>::infinity();
 constexpr float kFloatNaN = std::numeric_limits<float>::quiet_NaN();
-
-// The sRGB code, with its fraction, of the mean light of some codes.
-double code_of_mean(std::initializer_list<int> codes) {
-  double sum = 0;
-  for (const int code : codes) sum += linear_from_srgb(code / 255.0);
-  return 255.0 * srgb_from_linear(sum / static_cast<double>(codes.size()));
-}
 
 // The definition of srgb_code_thresholds, read from the table alone.
 int code_by_thresholds(float x) {
@@ -44,14 +36,6 @@ TEST_CASE("colour: every sRGB code survives the way to linear light and back", "
     CHECK(srgb_code_from_linear(linear) == code);
     CHECK(code_by_thresholds(linear) == code);
   }
-}
-
-// rules, case 41
-TEST_CASE("colour: light is averaged in linear space", "[math]") {
-  CHECK(code_of_mean({0, 255}) == Approx(187.516).margin(5e-4));
-  CHECK(code_of_mean({64, 192}) == Approx(146.41).margin(5e-3));
-  CHECK(code_of_mean({10, 20, 200, 250}) == Approx(166.896).margin(5e-4));
-  CHECK(srgb_code_from_linear(0.5) == 188);
 }
 
 TEST_CASE("colour: each threshold is the first float of its code", "[math]") {

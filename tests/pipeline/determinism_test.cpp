@@ -48,49 +48,4 @@ TEST_CASE("determinism: drawing again draws the same", "[pipeline][exact]") {
   CHECK(studio.digest() == first);
 }
 
-// rules R6
-TEST_CASE("determinism: four scissored quadrants are the picture", "[pipeline][exact][case-13]") {
-  const test::Mesh ball = test::sphere(16), floor = test::rectangle({-30, -1, -30}, {0, 0, 60}, {60, 0, 0}, {0, 1, 0}, 40);
-  const auto texture = test::texture_of(test::checkerboard(64, 8, {250, 240, 40, 255}, {30, 60, 200, 255}), TextureEncoding::srgb);
-  PipelineState state;
-  state.transform.clip_from_world = test::clip_from_world({1.5, 1.25, 2.5}, 1.25);
-  const auto draw = [&](test::Studio& studio) {
-    studio.draw(floor.view(), textured({.texture = texture, .sampler = {}}), state);
-    studio.draw(ball.view(), phong({}), state);
-  };
-  for (const InstructionSet set : supported_instruction_sets()) {
-    INFO(name_of(set));
-    const test::Canvas canvas{.width = 150, .height = 120, .options = {.threads = 2, .instruction_set = set}};
-    test::Studio whole(canvas), parts(canvas);
-    state.rasterization.scissor.reset();
-    draw(whole);
-    for (const PixelRect& part : {PixelRect{0, 0, 67, 45}, {67, 0, 150, 45}, {0, 45, 67, 120}, {67, 45, 150, 120}}) {
-      state.rasterization.scissor = part;
-      draw(parts);
-    }
-    CHECK(parts.digest() == whole.digest());
-  }
-}
-
-// rules B2, case 47
-TEST_CASE("determinism: a thousand transparent layers come out the same from any number of threads", "[pipeline][exact][case-47]") {
-  test::Random random(52);
-  test::Mesh layers;
-  for (int i = 0; i < 3000; ++i) {
-    layers.positions.push_back({random.between(-1.5, 1.5), random.between(-1.5, 1.5), 0});
-    layers.colours.push_back({random.between(0, 1), random.between(0, 1), random.between(0, 1), random.between(0, 0.5)});
-  }
-  PipelineState state;
-  state.depth = kDepthOff;
-  state.blend.mode = BlendMode::source_over;
-  Image<Rgba8> first;
-  for (const InstructionSet set : supported_instruction_sets())
-    for (const int threads : {1, 2, 7, 16}) {
-      INFO(name_of(set) << ", " << threads << " threads");
-      const auto image = test::render(layers, gouraud(), state, {.width = 150, .height = 100, .options = {.threads = threads, .instruction_set = set}}).colour;
-      if (first.empty()) first = image;
-      CHECK(image == first);
-    }
-}
-
 }  // namespace tuberia

@@ -1,3 +1,5 @@
+// Numbers that are none, targets and viewports of odd sizes, and drawing again: cases 15, 16 and 34.
+
 #include <catch2/catch.hpp>
 
 #include "tests/support/every_instruction_set.hpp"
@@ -10,18 +12,12 @@ namespace {
 constexpr float kInf = std::numeric_limits<float>::infinity(), kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr float kMost = std::numeric_limits<float>::max(), kLeast = std::numeric_limits<float>::denorm_min();
 
-/// Object positions (x, y, z) are clip positions (x, y, z, 1), or (x, y, 0, z).
-glm::mat4 matrix_for(bool third_is_w) {
-  return third_is_w ? glm::mat4(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0) : glm::mat4(1);
-}
-
-test::Mesh odd_triangle(std::size_t vertex, int coordinate, float odd) {
-  test::Mesh mesh;
-  mesh.positions = {{-0.75f, -0.5f, 0.5f}, {0.5f, -0.75f, 0.5f}, {0, 0.75f, 0.5f}};
-  mesh.positions[vertex][coordinate] = odd;
-  mesh.colours.assign(3, {1, 0.5f, 0.25f, 1});
-  return mesh;
-}
+/// A triangle of clip positions, of which one coordinate shall be odd.
+struct OddTriangle {
+  std::array<glm::vec4, 3> positions{{{-0.75f, -0.5f, 0.5f, 1}, {0.5f, -0.75f, 0.5f, 1}, {0, 0.75f, 0.5f, 1}}};
+  std::array<glm::vec4, 3> colours{{{1, 0.5f, 0.25f, 1}, {1, 0.5f, 0.25f, 1}, {1, 0.5f, 0.25f, 1}}};
+  MeshView view() const { return {.clip_positions = positions, .colours = colours}; }
+};
 
 std::int64_t pixels_of(const PipelineState& state, int width, int height) {
   test::Mesh all;
@@ -31,38 +27,36 @@ std::int64_t pixels_of(const PipelineState& state, int width, int height) {
 
 }  // namespace
 
-TEST_CASE("robustness: a vertex with an odd number spoils nothing but its triangle", "[pipeline][case-16]") {
+TEST_CASE("robustness: a vertex with an odd number spoils nothing but its triangle", "[extremes][C1][case-16]") {
   const test::Mesh good = test::rectangle({-1, -1, 0.25f}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1});
   test::for_every_instruction_set([&](InstructionSet set) {
     test::Studio studio({.width = 33, .height = 31, .options = {.threads = 1, .instruction_set = set}});
-    const auto frame = [&](const test::Mesh* odd, bool third_is_w) {
+    const auto frame = [&](const OddTriangle* odd) {
       studio.pipeline().clear(studio.target(), {0, 0, 0, 0});
       PipelineState state;
-      state.transform.clip_from_world = matrix_for(third_is_w);
       if (odd != nullptr) studio.draw(odd->view(), gouraud(), state);
-      state.transform.clip_from_world = glm::mat4(1);
       state.depth = kDepthOff;
       studio.draw(good.view(), gouraud(), state);
       return studio.target().colour_image();
     };
-    const Image<Rgba8> without = frame(nullptr, false);
+    const Image<Rgba8> without = frame(nullptr);
     for (const float odd : {kNan, -kNan, kInf, -kInf, kMost, -kMost, 3e38f, -3e38f, kLeast, -kLeast, 0.0f, -0.0f})
-      for (const bool third_is_w : {false, true})
-        for (const int coordinate : {0, 1, 2})
-          for (std::size_t vertex = 0; vertex < 3; ++vertex) {
-            INFO("vertex " << vertex << ", coordinate " << coordinate << (third_is_w ? " (third is w)" : "") << ", value " << odd);
-            const test::Mesh mesh = odd_triangle(vertex, coordinate, odd);
-            const Image<Rgba8> with = frame(&mesh, third_is_w);
-            // Drawn last, the square shows unchanged; with no number at all, the triangle is dropped.
-            for (int y = 16; y < 31; ++y)
-              for (int x = 0; x < 16; ++x)
-                if (with.at(x, y) != without.at(x, y)) FAIL("pixel " << x << ", " << y);
-            if (!std::isfinite(odd)) CHECK(with == without);
-          }
+      for (const int coordinate : {0, 1, 2, 3})
+        for (std::size_t vertex = 0; vertex < 3; ++vertex) {
+          INFO("vertex " << vertex << ", coordinate " << coordinate << ", value " << odd);
+          OddTriangle triangle;
+          triangle.positions[vertex][coordinate] = odd;
+          const Image<Rgba8> with = frame(&triangle);
+          // Drawn last, the square shows unchanged; with no number at all, the triangle is dropped.
+          for (int y = 16; y < 31; ++y)
+            for (int x = 0; x < 16; ++x)
+              if (with.at(x, y) != without.at(x, y)) FAIL("pixel " << x << ", " << y);
+          if (!std::isfinite(odd)) CHECK(with == without);
+        }
   });
 }
 
-TEST_CASE("robustness: a dropped triangle leaves its neighbours in the mesh", "[pipeline][case-16]") {
+TEST_CASE("robustness: a dropped triangle leaves its neighbours in the mesh", "[extremes][C1][case-16]") {
   test::Mesh mesh = test::rectangle({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 1});
   mesh.positions.push_back({kNan, 0, 0});
   mesh.normals.clear(), mesh.texcoords.clear(), mesh.colours.clear();
@@ -74,12 +68,12 @@ TEST_CASE("robustness: a dropped triangle leaves its neighbours in the mesh", "[
   CHECK(test::pixels_drawn(studio.target().colour_image()) == 64 * 64);
 }
 
-TEST_CASE("robustness: odd targets are filled to their last pixel", "[pipeline][case-15]") {
+TEST_CASE("robustness: odd targets are filled to their last pixel", "[extremes][R5][case-15]") {
   for (const auto& [width, height] : {std::pair{1, 1}, {1, 100}, {100, 1}, {16384, 1}, {1, 16384}, {65, 129}})
     CHECK(pixels_of({}, width, height) == std::int64_t{width} * height);
 }
 
-TEST_CASE("robustness: nothing is drawn outside the viewport and the scissor", "[pipeline][case-15]") {
+TEST_CASE("robustness: nothing is drawn outside the viewport and the scissor", "[extremes][R5][case-15]") {
   const auto pixels = [](std::optional<Viewport> viewport, std::optional<PixelRect> scissor) {
     PipelineState state;
     state.viewport.viewport = viewport;
@@ -99,7 +93,7 @@ TEST_CASE("robustness: nothing is drawn outside the viewport and the scissor", "
   CHECK(pixels(Viewport{-7, 5, 30, 20}, PixelRect{20, 0, 40, 7}) == 3 * 2);
 }
 
-TEST_CASE("robustness: a viewport as large as can be shows the same as any", "[pipeline]") {
+TEST_CASE("robustness: a viewport as large as can be shows the same as any", "[extremes][R5]") {
   // The part of a huge picture that the target sees is a corner of the square.
   PipelineState state;
   state.viewport.viewport = Viewport{-16384, -16384, 16384, 16384};
@@ -108,7 +102,7 @@ TEST_CASE("robustness: a viewport as large as can be shows the same as any", "[p
   CHECK(pixels_of(state, 64, 64) == 4 * 5);
 }
 
-TEST_CASE("robustness: drawing again with the same state meets the same depths", "[pipeline][case-34]") {
+TEST_CASE("robustness: drawing again with the same state meets the same depths", "[extremes][P5][case-34]") {
   const test::Mesh ball = test::sphere(20), floor = test::rectangle({-30, -1, -30}, {0, 0, 60}, {60, 0, 0}, {0, 1, 0}, 40);
   for (const DepthFormat format : {DepthFormat::d16, DepthFormat::d24, DepthFormat::d32f})
     for (const Precision precision : {Precision::exact, Precision::fast}) {

@@ -1,6 +1,8 @@
+// What coverage does not depend on: rules R2, R5 and R6, cases 13 to 15.
+
 #include <catch2/catch.hpp>
 
-#include "tests/support/coverage.hpp"
+#include "tests/support/drawn_coverage.hpp"
 #include "tests/support/triangles.hpp"
 
 namespace tuberia {
@@ -22,7 +24,7 @@ void check_against_definition(const std::vector<Triangle>& triangles, int width,
 
 }  // namespace
 
-TEST_CASE("coverage: every instruction set and precision obeys the definition", "[raster][exact]") {
+TEST_CASE("coverage: every instruction set and precision obeys the definition", "[extremes][R2]") {
   SECTION("of the target's size, seed 21") { check_against_definition(test::random_triangles(21, 400, -20000, 90000), 250, 190); }
   SECTION("a few pixels, seed 22") { check_against_definition(test::small_triangles(22, 20000, 200, 130), 200, 130); }
   SECTION("slivers across the target, seed 23") { check_against_definition(test::slivers(23, 3000, 70000), 256, 256); }
@@ -33,7 +35,7 @@ TEST_CASE("coverage: every instruction set and precision obeys the definition", 
   }
 }
 
-TEST_CASE("coverage: the corners of the guard band are part of it", "[raster][exact]") {
+TEST_CASE("coverage: the corners of the guard band are part of it", "[extremes][R2]") {
   constexpr std::int32_t kEnd = kGuardBandUnits;
   check_against_definition({{SnappedPoint{-kEnd, -kEnd}, {kEnd, -kEnd}, {-kEnd, kEnd}},
                             {SnappedPoint{kEnd, kEnd}, {-kEnd, kEnd}, {kEnd, -kEnd}},
@@ -42,7 +44,7 @@ TEST_CASE("coverage: the corners of the guard band are part of it", "[raster][ex
                            100, 70);
 }
 
-TEST_CASE("coverage: it matters neither where a triangle begins nor how it turns", "[raster][exact][case-14]") {
+TEST_CASE("coverage: it matters neither where a triangle begins nor how it turns", "[extremes][R6][case-14]") {
   const auto triangles = test::random_triangles(1, 2000, 0, 65536);
   for (const InstructionSet set : supported_instruction_sets()) {
     INFO("instruction set " << name_of(set));
@@ -56,7 +58,7 @@ TEST_CASE("coverage: it matters neither where a triangle begins nor how it turns
   }
 }
 
-TEST_CASE("coverage: four scissored quadrants make the whole", "[raster][exact][case-13]") {
+TEST_CASE("coverage: four scissored quadrants make the whole", "[extremes][R6][case-13]") {
   const auto triangles = test::random_triangles(1, 2000, 0, 65536);
   for (const InstructionSet set : supported_instruction_sets()) {
     INFO("instruction set " << name_of(set));
@@ -79,7 +81,26 @@ TEST_CASE("coverage: four scissored quadrants make the whole", "[raster][exact][
   }
 }
 
-TEST_CASE("coverage: moving by whole pixels moves the pixels", "[raster][exact]") {
+TEST_CASE("coverage: threads and scissored quadrants change nothing in the whole pipeline", "[extremes][R6][case-13]") {
+  const auto triangles = test::random_triangles(1, 2000, 0, 65536);
+  const test::PublishedCoverage right{10115389, 0x13687ddb2cf21};
+  for (const InstructionSet set : supported_instruction_sets())
+    for (const int threads : {1, 2, 3, 7, 16}) {
+      INFO(name_of(set) << ", " << threads << " threads, tiles of " << kTileSize);
+      const PipelineOptions options{.threads = threads, .instruction_set = set};
+      CHECK(test::published(test::drawn_sums(triangles, 256, 256, options)) == right);
+      test::PublishedCoverage sum;
+      PipelineState state = test::adding();
+      for (const PixelRect& part : {PixelRect{0, 0, 101, 35}, {101, 0, 256, 35}, {0, 35, 101, 256}, {101, 35, 256, 256}}) {
+        state.rasterization.scissor = part;
+        const test::PublishedCoverage quadrant = test::published(test::drawn_sums(triangles, 256, 256, options, state));
+        sum = {sum.count + quadrant.count, sum.hash + quadrant.hash};
+      }
+      CHECK(sum == right);
+    }
+}
+
+TEST_CASE("coverage: moving by whole pixels moves the pixels", "[extremes][R6]") {
   const auto triangles = test::random_triangles(31, 300, 0, 16384);
   const Coverage still = covered(triangles, 64, 64, InstructionSet::baseline);
   for (const InstructionSet set : supported_instruction_sets()) {
@@ -94,7 +115,7 @@ TEST_CASE("coverage: moving by whole pixels moves the pixels", "[raster][exact]"
   }
 }
 
-TEST_CASE("coverage: odd targets lose and invent no pixel", "[raster][exact][case-15]") {
+TEST_CASE("coverage: odd targets lose and invent no pixel", "[extremes][R5][case-15]") {
   const Triangle all{SnappedPoint{-256, -256}, {kGuardBandUnits, -256}, {-256, kGuardBandUnits}};
   const std::vector<std::pair<int, int>> sizes{{1, 1}, {1, 37}, {37, 1}, {16384, 1}, {1, 16384}, {65, 63}};
   for (const InstructionSet set : supported_instruction_sets())
