@@ -100,6 +100,32 @@ TEST_CASE("coverage: threads and scissored quadrants change nothing in the whole
     }
 }
 
+TEST_CASE("coverage: formats, depth and blending decide nothing about it", "[extremes][R6][case-10]") {
+  // Every way to draw small triangles onto black leaves the pixels that the definition names.
+  const auto triangles = test::small_triangles(3, 20000, 128, 128);
+  const Coverage definition = test::covered_by_definition(triangles, 128, 128);
+  const auto vertices = test::screen_vertices(triangles);
+  const auto check = [&](const test::Canvas& canvas, const PipelineState& state) {
+    test::Studio studio(canvas);
+    studio.draw({.screen_positions = vertices}, flat(), state);
+    const Image<Rgba8> image = studio.target().colour_image();
+    for (int y = 0; y < 128; ++y)
+      for (int x = 0; x < 128; ++x)
+        if ((image.at(x, y).r != 0) != (definition.owners_at(x, y) > 0)) FAIL("pixel " << x << ", " << y);
+  };
+  for (const InstructionSet set : supported_instruction_sets())
+    for (const ColourFormat colour : {ColourFormat::rgba8, ColourFormat::srgb8, ColourFormat::rgba16f, ColourFormat::rgba32f})
+      for (const DepthFormat depth : {DepthFormat::d16, DepthFormat::d24, DepthFormat::d32f})
+        for (const DepthState& tested : {kDepthOff, DepthState{}, DepthState{.test = Compare::less_equal, .write = false}})
+          for (const BlendMode mode : {BlendMode::replace, BlendMode::source_over, BlendMode::additive, BlendMode::function}) {
+            INFO(name_of(set) << ", colour format " << static_cast<int>(colour) << ", depth format " << static_cast<int>(depth) << ", blend mode " << static_cast<int>(mode));
+            PipelineState state;
+            state.depth = tested;
+            state.blend.mode = mode;
+            check({.width = 128, .height = 128, .colour = colour, .depth = depth, .options = {.threads = 2, .instruction_set = set}}, state);
+          }
+}
+
 TEST_CASE("coverage: moving by whole pixels moves the pixels", "[extremes][R6]") {
   const auto triangles = test::random_triangles(31, 300, 0, 16384);
   const Coverage still = covered(triangles, 64, 64, InstructionSet::baseline);
