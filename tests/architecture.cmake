@@ -1,5 +1,5 @@
 # Fails when an #include breaks the house rules of the design: dependencies point one way, and each
-# of Highway, oneTBB and stb is named only where it is wrapped.
+# of Highway, oneTBB, stb and GMP is named only where it is wrapped.
 #   cmake -D ROOT=<folder of the project> -P tests/architecture.cmake
 
 cmake_minimum_required(VERSION 3.25)
@@ -33,6 +33,10 @@ function(check_library file include)
   elseif(include MATCHES "^(stb_|stb/)")
     if(NOT file MATCHES "^image/")
       set(refusal "stb stays in image" PARENT_SCOPE)
+    endif()
+  elseif(include MATCHES "^gmp")
+    if(NOT file MATCHES "^reference/rational/")
+      set(refusal "GMP stays in reference/rational" PARENT_SCOPE)
     endif()
   endif()
 endfunction()

@@ -28,6 +28,8 @@ expect(allowed base/parallel_for.cpp "<tbb/parallel_for.h>")
 expect(refused scene/load.cpp "<stb_image.h>")
 expect(refused bench/peers/main.cpp "\"stb/stb_image_write.h\"")
 expect(allowed image/read.cpp "<stb/stb_image.h>")
+expect(refused reference/oracle/clipping.cpp "<gmpxx.h>")
+expect(allowed reference/rational/number.hpp "<gmpxx.h>")
 
 expect(refused base/result.hpp "\"math/spaces.hpp\"")
 expect(refused image/image.hpp "\"math/colour.hpp\"")

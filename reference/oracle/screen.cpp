@@ -13,6 +13,12 @@ std::int64_t snapped(double pixels, int subpixel_bits) {
   return static_cast<std::int64_t>(std::clamp(std::nearbyint(steps * pixels) * (256 / steps), -0x1p23, 0x1p23));
 }
 
+/// Only corners that rounding has left without a place are so far away.
+double ndc(float coordinate, double inverse_w) {
+  const double quotient = static_cast<double>(coordinate) * inverse_w;
+  return std::abs(quotient) <= 1e30 ? quotient : 0;
+}
+
 ScreenVertex on_screen(const ClipVertex& v, const Draw& draw, const Viewport& viewport) {
   const double i = 1 / static_cast<double>(v.w);
   const double half_width = viewport.width / 2.0, half_height = viewport.height / 2.0;
@@ -20,9 +26,9 @@ ScreenVertex on_screen(const ClipVertex& v, const Draw& draw, const Viewport& vi
   const bool symmetric = draw.volume == ClipVolume::minus_w_to_w;
   const double sz = symmetric ? (f - n) / 2 : f - n, oz = symmetric ? (n + f) / 2 : n;
   ScreenVertex out;
-  out.x = snapped((static_cast<double>(v.x) * i) * half_width + (viewport.x + half_width), draw.subpixel_bits);
-  out.y = snapped((static_cast<double>(v.y) * i) * -half_height + (viewport.y + half_height), draw.subpixel_bits);
-  out.depth = static_cast<float>((static_cast<double>(v.z) * i) * sz + oz);
+  out.x = snapped(ndc(v.x, i) * half_width + (viewport.x + half_width), draw.subpixel_bits);
+  out.y = snapped(ndc(v.y, i) * -half_height + (viewport.y + half_height), draw.subpixel_bits);
+  out.depth = static_cast<float>(ndc(v.z, i) * sz + oz);
   out.w = v.w;
   out.front = v.front;
   out.back = v.back;

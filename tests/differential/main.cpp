@@ -66,8 +66,14 @@ void print_summary(const Tally& t) {
               "      %lld samples (%.4f %%) depend on a test of a colour at a tie\n",
               n(t.tied_channels), n(t.drawn_channels), percent(t.tied_channels, t.drawn_channels), n(t.uncertain_samples),
               percent(t.uncertain_samples, t.samples));
-  std::printf("disagreements: colour %lld, depth %lld, stencil %lld, counts %lld, refused draws %lld\n", n(t.colour), n(t.depth),
-              n(t.stencil), n(t.counts), n(t.refusals));
+  const auto law = [&](const char* what, std::int64_t tried, std::int64_t failed) {
+    std::printf("law: random scenes, %-16s tried %11lld  failed %lld\n", what, n(tried), n(failed));
+  };
+  law("colour", t.samples - t.uncertain_samples, t.colour);
+  law("depth codes", t.samples - t.uncertain_samples, t.depth);
+  law("stencil codes", t.samples - t.uncertain_samples, t.stencil);
+  law("counts", t.draws, t.counts);
+  law("draws accepted", t.draws, t.refusals);
 }
 
 }  // namespace
