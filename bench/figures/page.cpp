@@ -10,10 +10,11 @@ namespace tuberia::bench {
 namespace {
 
 // Eight colours that keep apart in both schemes, also for those who do not tell red from green.
-constexpr const char* kStyle = R"(
-:root { color-scheme: light dark;
+constexpr const char* kLightColours = R"(
   --paper: #f6f6f3; --card: #ffffff; --ink: #22262b; --quiet: #5b626b; --line: #dcdcd6; --grid: #e9e9e4; --alarm: #b3261e;
-  --c0: #2563b0; --c1: #c2570c; --c2: #0f7f6b; --c3: #a3276f; --c4: #7a6a00; --c5: #6246b5; --c6: #3d7d1f; --c7: #777d86; }
+  --c0: #2563b0; --c1: #c2570c; --c2: #0f7f6b; --c3: #a3276f; --c4: #7a6a00; --c5: #6246b5; --c6: #3d7d1f; --c7: #777d86; )";
+
+constexpr const char* kStyle = R"(
 @media (prefers-color-scheme: dark) { :root {
   --paper: #14161b; --card: #1d2027; --ink: #e2e5ea; --quiet: #9aa2ae; --line: #343944; --grid: #2a2e37; --alarm: #ff8a80;
   --c0: #74aef5; --c1: #f5a25d; --c2: #4fd0b5; --c3: #f08fc6; --c4: #d6c648; --c5: #b5a0fa; --c6: #93cf70; --c7: #99a0aa; } }
@@ -30,9 +31,6 @@ section > p { margin: .3rem 0 .8rem; max-width: 62rem; }
 figure { margin: 0; }
 figcaption { margin-top: .25rem; font-size: .85rem; }
 svg { display: block; max-width: 100%; height: auto; }
-svg text { font: 12px system-ui, sans-serif; fill: var(--ink); }
-svg text.quiet { fill: var(--quiet); }
-svg .grid { stroke: var(--grid); } svg .axis { stroke: var(--quiet); }
 .scroll { overflow-x: auto; }
 table { border-collapse: collapse; font-size: .8rem; font-variant-numeric: tabular-nums; }
 th, td { padding: .15rem .45rem .15rem 0; text-align: right; white-space: nowrap; vertical-align: top; }
@@ -42,6 +40,13 @@ tr + tr td { border-top: 1px solid var(--grid); }
 .alarm { color: var(--alarm); font-weight: 600; }
 .swatch { display: inline-block; width: .8em; height: .8em; margin-right: .35em; border-radius: 2px; vertical-align: -.05em; }
 .key { font-size: .85rem; display: flex; flex-wrap: wrap; gap: .2rem 1.1rem; margin: .2rem 0 .6rem; }
+)";
+
+constexpr const char* kFigureStyle = R"(
+svg text { font: 12px system-ui, sans-serif; fill: var(--ink); }
+svg text.quiet { fill: var(--quiet); }
+svg text.label { font-size: 11px; paint-order: stroke; stroke: var(--card); stroke-width: 3px; }
+svg .grid { stroke: var(--grid); } svg .axis { stroke: var(--quiet); }
 )";
 
 /// Thousands separated.
@@ -84,6 +89,8 @@ std::string number_text(double value) {
   return with_decimals(value, decimals);
 }
 
+std::string light_svg_style() { return std::string(":root {") + kLightColours + "}" + kFigureStyle; }
+
 std::string count_text(double count) { return with_decimals(count, 0); }
 
 std::string Table::html() const {
@@ -110,8 +117,8 @@ Result<Nothing> Page::write(const std::string& path) const {
   std::ofstream file(path);
   file << "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
        << "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" << escaped(title_)
-       << "</title>\n<style>" << kStyle << "</style>\n</head>\n<body>\n<header>\n<h1>" << escaped(title_)
-       << "</h1>\n<p>" << lede_ << "</p>\n</header>\n"
+       << "</title>\n<style>\n:root { color-scheme: light dark;" << kLightColours << "}" << kStyle << kFigureStyle
+       << "</style>\n</head>\n<body>\n<header>\n<h1>" << escaped(title_) << "</h1>\n<p>" << lede_ << "</p>\n</header>\n"
        << sections_ << "</body>\n</html>\n";
   file.close();
   if (!file) return Error{"cannot write " + path};

@@ -18,6 +18,9 @@ std::string number_text(double value);
 /// A whole number, thousands separated.
 std::string count_text(double count);
 
+/// The style sheet of a figure that is a file of its own: the page's light colours.
+std::string light_svg_style();
+
 /// Cells are HTML. The first column is of words, the rest of numbers.
 struct Table {
   std::vector<std::string> headings;
