@@ -45,6 +45,16 @@ struct ProgramInterface {
   constexpr Attributes attributes() const noexcept { return interpolated | flat; }
 };
 
+/// Whether the depth test may come before the program: nothing after it drops a fragment.
+constexpr bool tests_depth_early(const ProgramInterface& program, const OutputState& output) noexcept {
+  return !program.may_discard && output.alpha_test.test == Compare::always && !output.multisampling.alpha_to_coverage;
+}
+
+/// Whether fragments get a colour at all: it is stored, or decides whether they are dropped.
+constexpr bool shades(const ProgramInterface& program, const OutputState& output) noexcept {
+  return output.blend.write || !tests_depth_early(program, output);
+}
+
 /// A program with its uniforms; cheap to copy.
 class FragmentProgram {
  public:

@@ -26,8 +26,7 @@ class FragmentStages {
  public:
   FragmentStages(const FragmentJob& job, const ProgramInterface& program, InstructionSet instruction_set, Precision precision)
       : job_(job), program_(program.kernels(instruction_set, precision)), blocks_(block_kernels(instruction_set, precision)),
-        tests_early_(!program.may_discard && job.output.alpha_test.test == Compare::always && !job.output.multisampling.alpha_to_coverage),
-        shades_(!tests_early_ || job.output.blend.write) {}
+        tests_early_(tests_depth_early(program, job.output)), shades_(shades(program, job.output)) {}
 
   /// The listed primitives of a chunk in one tile, in order. `blocks` is scratch memory.
   template <class Tap>

@@ -59,9 +59,10 @@ void GeometryStages::cull(Chunk& chunk) const {
 }
 
 void GeometryStages::fill_in_attributes(Chunk& chunk) const {
-  vertex_transform_.attributes(draw_.mesh, draw_.program.interface().attributes(), chunk.triangles, chunk.vertices, chunk.lines, chunk.points);
+  // A pass that makes no colours needs positions only.
+  vertex_transform_.attributes(draw_.mesh, accepted_.attributes, chunk.triangles, chunk.vertices, chunk.lines, chunk.points);
   const FogState& fog = draw_.state.fog;
-  if (fog.mode == FogMode::off) chunk.vertices.fog_coordinates.clear();
+  if (fog.mode == FogMode::off || !shades(draw_.program.interface(), accepted_.output)) chunk.vertices.fog_coordinates.clear();
   else if (fog.per_vertex) vertex_transform_.fog_shares(draw_.mesh, fog, chunk.vertices);
   else vertex_transform_.fog_coordinates(draw_.mesh, chunk.vertices);
 }

@@ -42,7 +42,7 @@ void PrimitiveRecorder::begin(const DrawCall& draw, const AcceptedDraw& accepted
   draw_ = &draw;
   life_.draw = {std::string(draw.program.interface().name), accepted.output, draw.state.rasterization.flat_shading};
   life_.topology = draw.state.assembly.topology;
-  life_.attributes = draw.program.interface().attributes();
+  life_.attributes = accepted.attributes;
   life_.viewport = accepted.viewport;
   life_.clip_rect = accepted.clip;
   life_.limits = clip_limits(accepted.viewport, draw.state.clipping);

@@ -42,6 +42,7 @@ Result<AcceptedDraw> validate(const DrawCall& draw, const RenderTarget& target, 
                      .multisampling = state.multisampling,
                      .stipple = state.rasterization.line.stipple.value_or(StipplePattern{})};
   accepted.output.samples = target.samples();
+  if (shades(draw.program.interface(), accepted.output)) accepted.attributes = draw.program.interface().attributes();
   accepted.is_everyday = is_everyday(accepted.output) && makes_triangles(state.assembly.topology) && only_fills(state.rasterization);
   return accepted;
 }

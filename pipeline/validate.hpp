@@ -14,6 +14,7 @@ struct AcceptedDraw {
   PixelRect clip;            // target, viewport and scissor
   OutputState output;
   bool is_everyday = true;   // the fused tile loops can draw it
+  Attributes attributes = Attributes::none;  // of the vertices, that some fragment's colour is made from
 };
 
 /// Error naming the culprit: an index beyond the vertices, attribute arrays of the wrong length, a

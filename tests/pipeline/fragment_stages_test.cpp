@@ -264,6 +264,38 @@ TEST_CASE("fragment stages: a closed surface is entered as often as it is left",
   });
 }
 
+TEST_CASE("fragment stages: a pass that makes no colours makes no attributes", "[pipeline][exact]") {
+  struct StrideCatcher : Observer {
+    int stride = -1;
+    void after(Stage stage, const Chunk& chunk) override {
+      if (stage == Stage::vertex_attributes) stride = chunk.vertices.stride;
+    }
+  };
+  const test::Mesh mesh = test::sphere(6);
+  PipelineState state = test::seen_from({0, 0, 3});
+  const auto drawn = [&](const FragmentProgram& program, Image<std::int32_t>& depths) {
+    Pipeline pipeline;
+    RenderTarget target = *RenderTarget::create(64, 48), watched = *RenderTarget::create(64, 48);
+    StrideCatcher catcher;
+    const DrawCall draw{.mesh = mesh.view(), .program = program, .state = state};
+    REQUIRE(pipeline.draw(target, draw).ok());
+    REQUIRE(pipeline.draw(watched, draw, catcher).ok());
+    depths = target.depth_codes();
+    CHECK(watched.depth_codes() == target.depth_codes());
+    return catcher.stride;
+  };
+  const TexturedUniforms holes{.texture = test::texture_of(test::checkerboard(8, 2, {255, 255, 255, 255}, {0, 0, 0, 0})), .sampler = {}, .alpha_cutoff = 0.5f};
+  Image<std::int32_t> with_colours, without, cut_out;
+  CHECK(drawn(phong({}), with_colours) == vertex_stride(Attributes::position | Attributes::normal));
+  state.blend.write = false;
+  state.fog = {.mode = FogMode::exp};
+  CHECK(drawn(phong({}), without) == 0);
+  CHECK(without == with_colours);
+  // Where alpha decides about depth, it is still made.
+  CHECK(drawn(textured(holes, true), cut_out) == vertex_stride(Attributes::texcoord));
+  CHECK(cut_out != with_colours);
+}
+
 TEST_CASE("fragment stages: linear fog that ends where it starts is a step", "[pipeline]") {
   test::for_every_instruction_set([](InstructionSet set) {
     // Three points before, in and behind the step; a white fragment, black fog.
