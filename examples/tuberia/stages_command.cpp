@@ -7,28 +7,23 @@
 #include <span>
 
 #include "examples/tuberia/commands.hpp"
-#include "examples/tuberia/demo_models.hpp"
-#include "examples/tuberia/picture_options.hpp"
 #include "examples/tuberia/pipeline_options.hpp"
 #include "examples/tuberia/stage_text.hpp"
 #include "examples/tuberia/stages_page.hpp"
+#include "examples/tuberia/subject.hpp"
 #include "image/file.hpp"
-#include "scene/load_model.hpp"
 
 namespace tuberia::cli {
 namespace {
 
 struct StagesArguments {
-  std::string model, demo, pixel, page;
+  std::string pixel, page;
   std::optional<std::int64_t> primitive;
   std::optional<int> draw;
   int fragments = 3;
   bool json = false;
-  PictureArguments picture;
+  SubjectArguments subject;
   PipelineArguments pipeline;
-  const CLI::App* command = nullptr;
-
-  bool is_given(const char* option) const { return command->count(option) > 0; }
 };
 
 /// "320,180" to a place.
@@ -41,35 +36,6 @@ Result<PixelPlace> parse_pixel(const std::string& text) {
     if (second.ec == std::errc{} && second.ptr == end) return place;
   }
   return Error{"--pixel: '" + text + "' is not a pixel like 320,180"};
-}
-
-struct Subject {
-  std::string caption;
-  Model model;
-  RenderOptions options;
-};
-
-Result<Subject> subject_of(const StagesArguments& arguments) {
-  auto options = render_options_of(arguments.picture);
-  if (!options) return options.error();
-  if (arguments.demo.empty() == arguments.model.empty()) return Error{"stages: name a model file or --demo, one of the two"};
-  if (arguments.demo.empty()) {
-    auto model = load_model(arguments.model);
-    if (!model) return model.error();
-    for (const std::string& warning : model->warnings) std::fprintf(stderr, "tuberia: warning: %s\n", warning.c_str());
-    return Subject{arguments.model, *std::move(model), *options};
-  }
-  // A demo brings its own framing; the size and the target can still be chosen.
-  Demo demo = demo_named(arguments.demo);
-  const RenderOptions& wished = *options;
-  if (arguments.is_given("--size")) demo.options.width_pixels = wished.width_pixels, demo.options.height_pixels = wished.height_pixels;
-  if (arguments.is_given("--program")) demo.options.shading = wished.shading;
-  demo.options.sampler = wished.sampler;
-  demo.options.cull_back = wished.cull_back;
-  demo.options.colour_format = wished.colour_format;
-  demo.options.depth_format = wished.depth_format;
-  demo.options.background = wished.background;
-  return Subject{"demo '" + demo.name + "'", std::move(demo.model), demo.options};
 }
 
 Result<StageRequest> request_of(const StagesArguments& arguments) {
@@ -107,7 +73,7 @@ int run_stages(const StagesArguments& arguments) {
   if (!pipeline_options) return fail(pipeline_options.error().message);
   const auto request = request_of(arguments);
   if (!request) return fail(request.error().message);
-  const auto subject = subject_of(arguments);
+  const auto subject = subject_of(arguments.subject);
   if (!subject) return fail(subject.error().message);
 
   Pipeline pipeline(*pipeline_options);
@@ -128,9 +94,7 @@ int run_stages(const StagesArguments& arguments) {
 Run add_stages(CLI::App& parent, CLI::App*& command) {
   const auto arguments = std::make_shared<StagesArguments>();
   command = parent.add_subcommand("stages", "Show what every stage makes of one primitive, and the history of a pixel");
-  arguments->command = command;
-  command->add_option("model", arguments->model, "OBJ, glTF, PLY, 3DS, Collada, OFF, STL, ...; or --demo");
-  command->add_option("--demo", arguments->demo, "A built-in model instead")->check(CLI::IsMember(demo_names()));
+  add_subject(*command, arguments->subject);
   command->add_option("--primitive", arguments->primitive,
                       "Its number, counted from 0 through all draws of the frame, or in --draw; by default the one seen in the middle");
   command->add_option("--draw", arguments->draw, "Number of a draw; each mesh of a model is one, translucent ones last");
@@ -139,7 +103,7 @@ Run add_stages(CLI::App& parent, CLI::App*& command) {
   command->add_flag("--json", arguments->json, "The same numbers as JSON");
   command->add_option("--html", arguments->page, "Write a page instead that shows all stages; it needs nothing but a browser")
       ->excludes("--json");
-  add_picture_options(*command, arguments->picture);
+  add_picture_options(*command, arguments->subject.picture);
   add_pipeline_options(*command, arguments->pipeline);
   return [arguments] { return run_stages(*arguments); };
 }

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "image/read_image.hpp"
@@ -127,6 +128,31 @@ TEST_CASE("lessons: run and leave their pictures", "[examples]") {
   CHECK(dark > 10000);
   CHECK(light > 10000);
   CHECK(ripples->at(320, 5).a == 0);
+}
+
+TEST_CASE("tuberia requirements: tells what a model needs, in words and as JSON", "[examples]") {
+  const TemporaryFolder folder;
+  write_triangle(folder / "triangle.obj");
+  const Outcome words = run("requirements triangle.obj", folder);
+  INFO(words.output);
+  CHECK(words.status == 0);
+  for (const char* part : {"draw 0: 1 triangles, program phong", "not needed", "All vertices lie between the near and far plane", "position, normal"})
+    CHECK(words.output.find(part) != std::string::npos);
+
+  // Of five squares one is translucent and one has holes.
+  const Outcome json = run("requirements --demo layers --json", folder);
+  REQUIRE(json.status == 0);
+  const auto draws = nlohmann::json::parse(json.output)["draws"];
+  REQUIRE(draws.size() == 5);
+  int blended = 0, late = 0;
+  for (const auto& draw : draws)
+    for (const auto& feature : draw["features"]) {
+      blended += feature["feature"] == "blending" && feature["needed"] ? 1 : 0;
+      late += feature["feature"] == "late depth test" && feature["needed"] ? 1 : 0;
+    }
+  CHECK(blended == 1);
+  CHECK(late == 1);
+  CHECK(run("requirements", folder).status != 0);
 }
 
 }  // namespace tuberia
