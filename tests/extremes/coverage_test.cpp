@@ -125,6 +125,23 @@ TEST_CASE("coverage: two thousand random triangles match the published counts", 
   CHECK(std::count_if(triangles.begin(), triangles.end(), turned_back) == 1013);
 }
 
+TEST_CASE("coverage: a large triangle owns the one centre of a tile that lies on its left edge", "[extremes][R2]") {
+  for_every_instruction_set([](InstructionSet set) {
+    // Edges that fall and rise at 45 degrees through the centre of a tile's last pixel and of the last one of its first row.
+    for (const double reach : {200.0, 1500.0, 3000.0, 30000.0}) {
+      const Triangle falling = in_pixels(63.5 - reach, 63.5 + reach, 63.5 + reach, 63.5 - reach, 63.5 + reach, 63.5 + reach);
+      const Triangle rising = in_pixels(63.5 - reach, 64.5 - reach, 63.5 + reach, 64.5 - reach, 63.5 + reach, 64.5 + reach);
+      for (const Triangle& triangle : {falling, rising}) {
+        const Coverage coverage = covered({&triangle, 1}, 192, 192, set);
+        CHECK(coverage == test::covered_by_definition({&triangle, 1}, 192, 192));
+      }
+      CHECK(covered({&falling, 1}, 192, 192, set).owners_at(63, 63) == 1);
+      CHECK(covered({&falling, 1}, 192, 192, set).owners_at(62, 63) == 0);
+      CHECK(covered({&rising, 1}, 192, 192, set).owners_at(63, 64) == 1);
+    }
+  });
+}
+
 TEST_CASE("coverage: triangles that reach the whole guard band stay exact", "[extremes][R2][case-09]") {
   check_published(test::random_triangles(5, 500, -8388608, 8388607), 128, 96, {1244971, 0x1ae06591e68}, 398);
 }
