@@ -77,11 +77,14 @@ bool is_last(const TextureLevel& level, TextureKind kind) {
 LinearLevel unrounded(const TextureLevel& level, const TextureShape& shape) {
   LinearLevel result{level.width, level.height, level.slices, std::vector<Rgba32F>(texel_count(level))};
   for (std::size_t i = 0; i < result.texels.size(); ++i) {
-    const float* floats = level.floats + i * floats_per_texel(shape.format);
     switch (shape.format) {
       case TextureFormat::rgba8: result.texels[i] = linear_of(level.texels[i], shape.encoding); break;
-      case TextureFormat::rgba32f: result.texels[i] = {floats[0], floats[1], floats[2], floats[3]}; break;
-      case TextureFormat::depth32f: result.texels[i] = {floats[0], 0, 0, 0}; break;
+      case TextureFormat::rgba32f: {
+        const float* floats = level.floats + 4 * i;
+        result.texels[i] = {floats[0], floats[1], floats[2], floats[3]};
+        break;
+      }
+      case TextureFormat::depth32f: result.texels[i] = {level.floats[i], 0, 0, 0}; break;
     }
   }
   return result;
