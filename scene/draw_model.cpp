@@ -10,7 +10,7 @@
 namespace tuberia {
 namespace {
 
-constexpr std::array<std::string_view, 8> kNames{"auto", "flat", "gouraud", "phong", "blinn", "textured", "textured-lit", "dot-product"};
+constexpr std::array<std::string_view, 9> kNames{"auto", "flat", "gouraud", "phong", "blinn", "textured", "textured-lit", "textured-gouraud", "dot-product"};
 
 const Material& material_of(const Model& model, const Mesh& mesh) {
   static const Material kPlain{};
@@ -47,6 +47,12 @@ Lighting with_default_highlight(Lighting lighting, const Material& material) {
   return lighting;
 }
 
+/// The same with its light computed at the vertices, where that can be.
+Shading lit_at_vertices(Shading shading, const Material& material) {
+  if (shading == Shading::phong || shading == Shading::blinn) return Shading::gouraud;
+  return shading == Shading::textured_lit && !(material.alpha_cutoff > 0) ? Shading::textured_gouraud : shading;
+}
+
 }  // namespace
 
 std::string_view name_of(Shading shading) noexcept { return kNames[static_cast<std::size_t>(shading)]; }
@@ -59,6 +65,15 @@ std::optional<Shading> shading_named(std::string_view name) noexcept {
 
 std::vector<std::string_view> shading_names() { return {kNames.begin(), kNames.end()}; }
 
+Shading shading_of(const Model& model, const Mesh& mesh, Shading wanted) {
+  const bool has_texture = !mesh.texcoords.empty() && material_of(model, mesh).texture >= 0;
+  if (wanted == Shading::automatic) {
+    if (has_texture) return Shading::textured_lit;
+    return mesh.colours.empty() ? Shading::blinn : Shading::gouraud;
+  }
+  return is_textured(wanted) && !has_texture ? Shading::blinn : wanted;
+}
+
 Result<DrawableModel> DrawableModel::create(const Model& model) {
   DrawableModel drawable(model);
   for (const ModelTexture& image : model.textures) {
@@ -67,16 +82,6 @@ Result<DrawableModel> DrawableModel::create(const Model& model) {
     drawable.textures_.push_back(std::make_shared<const Texture>(*std::move(texture)));
   }
   return drawable;
-}
-
-Shading DrawableModel::shading_of(const Mesh& mesh, Shading wanted) const {
-  const bool has_texture = !mesh.texcoords.empty() && material_of(*model_, mesh).texture >= 0;
-  if (wanted == Shading::automatic) {
-    if (has_texture) return Shading::textured_lit;
-    return mesh.colours.empty() ? Shading::blinn : Shading::gouraud;
-  }
-  const bool wants_texture = wanted == Shading::textured || wanted == Shading::textured_lit;
-  return wants_texture && !has_texture ? Shading::blinn : wanted;
 }
 
 DrawCall DrawableModel::draw_of(const Mesh& mesh, const ModelView& view, Shading shading) const {
@@ -107,6 +112,10 @@ DrawCall DrawableModel::draw_of(const Mesh& mesh, const ModelView& view, Shading
       draw.program = textured({.texture = textures_[static_cast<std::size_t>(material.texture)], .sampler = view.sampler,
                                .tint = material.base_colour, .alpha_cutoff = material.alpha_cutoff}, cut_out);
       break;
+    case Shading::textured_gouraud:
+      draw.state.transform.vertex_lighting = lighting;
+      draw.program = textured_gouraud({.texture = textures_[static_cast<std::size_t>(material.texture)], .sampler = view.sampler});
+      break;
     case Shading::textured_lit: {
       // The texture is tinted once, by the lighting's diffuse colour.
       TexturedLitUniforms uniforms{.texture = textures_[static_cast<std::size_t>(material.texture)], .sampler = view.sampler,
@@ -122,7 +131,8 @@ DrawCall DrawableModel::draw_of(const Mesh& mesh, const ModelView& view, Shading
 std::vector<DrawCall> DrawableModel::draws(const ModelView& view) const {
   std::vector<DrawCall> opaque, translucent;
   for (const Mesh& mesh : model_->meshes) {
-    DrawCall draw = draw_of(mesh, view, shading_of(mesh, view.shading));
+    const Shading shading = shading_of(*model_, mesh, view.shading);
+    DrawCall draw = draw_of(mesh, view, view.lit_at_vertices ? lit_at_vertices(shading, material_of(*model_, mesh)) : shading);
     if (material_of(*model_, mesh).base_colour.a < 1) {
       draw.state.blend.mode = BlendMode::source_over;
       draw.state.depth.write = false;

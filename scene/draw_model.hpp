@@ -17,12 +17,19 @@ namespace tuberia {
 
 /// How a model's surfaces are shown. automatic: textured and lit where there is a texture, Gouraud
 /// where there are vertex colours, Blinn-Phong otherwise.
-enum class Shading { automatic, flat, gouraud, phong, blinn, textured, textured_lit, dot_product };
+enum class Shading { automatic, flat, gouraud, phong, blinn, textured, textured_lit, textured_gouraud, dot_product };
 
 std::string_view name_of(Shading) noexcept;
 std::optional<Shading> shading_named(std::string_view name) noexcept;
 /// All names, in the order of the enumeration.
 std::vector<std::string_view> shading_names();
+
+/// How a mesh is shown when its model is to be shown so: never automatic, and textured only where the
+/// mesh has a texture and coordinates for it.
+Shading shading_of(const Model& model, const Mesh& mesh, Shading wanted);
+constexpr bool is_textured(Shading shading) noexcept {
+  return shading == Shading::textured || shading == Shading::textured_lit || shading == Shading::textured_gouraud;
+}
 
 struct ModelView {
   glm::mat4 world_from_object{1.0f};
@@ -30,6 +37,7 @@ struct ModelView {
   glm::vec3 eye{0, 0, 1};   // world space
   Shading shading = Shading::automatic;
   Sampler sampler;
+  bool lit_at_vertices = false;  // what is lit at its fragments otherwise, but for cut-out textures
   bool cull_back = false;   // models of files are often open or wound the other way round
   ClipVolume clip_volume = ClipVolume::minus_w_to_w;
   bool reversed_depth = false;
@@ -51,7 +59,6 @@ class DrawableModel {
  private:
   explicit DrawableModel(const Model& model) : model_(&model) {}
   DrawCall draw_of(const Mesh& mesh, const ModelView& view, Shading shading) const;
-  Shading shading_of(const Mesh& mesh, Shading wanted) const;
 
   const Model* model_;
   std::vector<std::shared_ptr<const Texture>> textures_;
