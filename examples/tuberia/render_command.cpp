@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "examples/tuberia/budget_options.hpp"
 #include "examples/tuberia/commands.hpp"
 #include "examples/tuberia/picture_options.hpp"
 #include "examples/tuberia/pipeline_options.hpp"
@@ -22,6 +23,7 @@ struct RenderArguments {
   int supersample = 1;  // pixels drawn each way for every one of the picture
   PictureArguments picture;
   PipelineArguments pipeline;
+  BudgetArguments budget;
 };
 
 void print_statistics(const Rendering& rendering) {
@@ -68,16 +70,20 @@ int run_render(const RenderArguments& arguments) {
   if (is_map && !arguments.depth_output.empty()) return fail("--view " + arguments.view + " draws a map; --depth goes with the model's colours");
   if (is_map && arguments.statistics) return fail("--view " + arguments.view + " draws a map; --stats goes with the model's colours");
   if (arguments.supersample > 1 && (is_map || !arguments.depth_output.empty())) return fail("--supersample goes with the model's colours, not with --view or --depth");
+  if (const auto refusal = refusal_of(arguments.budget, is_map); !refusal) return fail(refusal.error().message);
   auto options = render_options_of(arguments.picture);
   if (!options) return fail(options.error().message);
   options->width_pixels *= arguments.supersample;
   options->height_pixels *= arguments.supersample;
-  const auto pipeline_options = options_of(arguments.pipeline);
+  auto pipeline_options = options_of(arguments.pipeline);
   if (!pipeline_options) return fail(pipeline_options.error().message);
 
   const auto model = load_model(arguments.model);
   if (!model) return fail(model.error().message);
   for (const std::string& warning : model->warnings) std::fprintf(stderr, "tuberia: warning: %s\n", warning.c_str());
+  if (arguments.budget.is_given())
+    if (const auto kept = keep_budget(arguments.budget, *model, *options, *pipeline_options); !kept)
+      return fail(arguments.model + ": " + kept.error().message);
   Pipeline pipeline(*pipeline_options);
   if (is_map) return run_view(arguments, *model, *options, pipeline);
   const auto rendering = render(*model, *options, pipeline);
@@ -106,6 +112,7 @@ Run add_render(CLI::App& parent, CLI::App*& command) {
   command->add_flag("--stats", arguments->statistics, "Print what became of vertices and triangles");
   add_picture_options(*command, arguments->picture);
   add_pipeline_options(*command, arguments->pipeline);
+  add_budget_options(*command, arguments->budget);
   return [arguments] { return run_render(*arguments); };
 }
 

@@ -76,9 +76,7 @@ double seconds_of(const std::vector<double>& times) {
 
 }  // namespace
 
-Result<Frame> prepare(const Model& model, const RenderOptions& options) {
-  auto target = RenderTarget::create(options.width_pixels, options.height_pixels, options.colour_format, options.depth_format);
-  if (!target) return target.error();
+Result<ModelScene> place(const Model& model, const RenderOptions& options) {
   const glm::mat4 world_from_object = world_from_object_of(options.camera.up_axis);
   const auto camera = camera_for(model, world_from_object, options);
   if (!camera) return Error{"camera: " + camera.error().message};
@@ -86,13 +84,21 @@ Result<Frame> prepare(const Model& model, const RenderOptions& options) {
   if (!matrices) return Error{"camera: " + matrices.error().message};
   const auto drawable = DrawableModel::create(model);
   if (!drawable) return drawable.error();
-
   const ModelView view{.world_from_object = world_from_object, .camera = *matrices, .eye = glm::vec3(camera->eye), .shading = options.shading,
-                       .sampler = options.sampler, .cull_back = options.cull_back,
+                       .sampler = options.sampler, .lit_at_vertices = options.lit_at_vertices, .cull_back = options.cull_back,
                        .clip_volume = camera->clip_volume, .reversed_depth = options.reversed_depth,
                        .rasterization = options.rasterization, .fog = options.fog, .normals = options.normals};
-  return Frame{.target = *std::move(target), .drawable = *drawable, .draws = drawable->draws(view), .camera = *camera, .matrices = *matrices,
-               .world_from_object = world_from_object, .background = options.background, .far_depth = options.reversed_depth ? 0.0f : 1.0f};
+  return ModelScene{.drawable = *drawable, .camera = *camera, .view = view};
+}
+
+Result<Frame> prepare(const Model& model, const RenderOptions& options) {
+  auto target = RenderTarget::create(options.width_pixels, options.height_pixels, options.colour_format, options.depth_format);
+  if (!target) return target.error();
+  const auto scene = place(model, options);
+  if (!scene) return scene.error();
+  return Frame{.target = *std::move(target), .drawable = scene->drawable, .draws = scene->drawable.draws(scene->view), .camera = scene->camera,
+               .matrices = scene->view.camera, .world_from_object = scene->view.world_from_object, .background = options.background,
+               .far_depth = options.reversed_depth ? 0.0f : 1.0f};
 }
 
 void clear(Frame& frame, Pipeline& pipeline) { pipeline.clear(frame.target, frame.background, frame.far_depth); }

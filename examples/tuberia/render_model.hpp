@@ -28,6 +28,7 @@ struct RenderOptions {
   Shading shading = Shading::automatic;
   CameraOptions camera;
   Sampler sampler;
+  bool lit_at_vertices = false;  // what would be lit at its fragments
   bool cull_back = false;
   ColourFormat colour_format = ColourFormat::srgb8;
   DepthFormat depth_format = DepthFormat::d24;
@@ -38,6 +39,16 @@ struct RenderOptions {
   Rgba32F background{0.035f, 0.04f, 0.055f, 1};
   int frames = 3;  // timed; the picture is the last one's
 };
+
+/// A model before its camera; refers to the model.
+struct ModelScene {
+  DrawableModel drawable;
+  Camera camera;
+  ModelView view;
+};
+
+/// Errors: a camera or texture out of range.
+Result<ModelScene> place(const Model& model, const RenderOptions& options);
 
 /// Everything that is needed to draw a model; refers to the model.
 struct Frame {
