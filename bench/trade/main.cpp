@@ -3,14 +3,15 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <string>
 #include <vector>
 
+#include "bench/trade/adviser_table.hpp"
 #include "bench/trade/plots.hpp"
+#include "bench/trade/progress.hpp"
 #include "bench/trade/report.hpp"
 #include "image/write_image.hpp"
 
@@ -39,7 +40,7 @@ bool parse(int argc, char** argv, Options& options, int& status) {
       ->capture_default_str();
   app.add_option("--isa", options.instruction_set, "Instruction set: sse4, avx2 or avx3 (default: the widest)");
   app.add_option("--folder", options.folder, "Where trade.html, .csv, .json and .md go")->capture_default_str();
-  app.add_option("--advice", options.advice_file, "Write what an adviser reads to this file, too");
+  app.add_option("--advice", options.advice_file, "Instead, measure what `tuberia render --error-budget` predicts from, and write it to this file");
   app.add_option("--images", options.images_folder, "Write every plot as an SVG file into this folder, too");
   app.add_option("--commit", options.commit, "What the page calls the measured sources");
   try {
@@ -57,19 +58,6 @@ bool is_chosen(const Options& options, const std::string& name, const std::strin
   };
   return options.only.empty() || names(name) || names(kind);
 }
-
-/// Lines of progress, with the time since the beginning.
-class Progress {
- public:
-  void tell(const std::string& what, const std::string& scene, std::size_t settings) const {
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
-    std::printf("%5.0f s  %-34s %-30s %3zu settings\n", seconds, what.c_str(), scene.c_str(), settings);
-    std::fflush(stdout);
-  }
-
- private:
-  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-};
 
 Result<StageResult> measure_stage(const Stage& stage, const Effort& effort, const PipelineOptions& pipeline,
                                   const Progress& progress) {
@@ -185,8 +173,16 @@ Result<Nothing> write_all(const Options& options, const TradeResult& result, con
   if (const auto written = write_text(path + ".md", markdown_of(result, circumstances)); !written) return written;
   if (!options.images_folder.empty())
     if (const auto written = write_images(options.images_folder, result); !written) return written;
-  return options.advice_file.empty() ? Result<Nothing>(Nothing{})
-                                     : write_text(options.advice_file, advice_json_of(result, circumstances));
+  return Nothing{};
+}
+
+Result<Nothing> write_advice(const Options& options, const Circumstances& circumstances) {
+  const Progress progress;
+  Effort effort = options.quick ? Effort{.seconds = 0, .fewest_rounds = 3} : Effort{.seconds = 4, .fewest_rounds = 9};
+  effort.of_processor = circumstances.pipeline.threads == 1;
+  const auto table = measure_adviser_table(sentence_of(circumstances.machine), effort, circumstances.pipeline, progress);
+  if (!table) return table.error();
+  return write_text(options.advice_file, *table);
 }
 
 int run(const Options& options) {
@@ -199,6 +195,10 @@ int run(const Options& options) {
   }
   const Circumstances circumstances{this_machine(options.commit), pipeline, options.quick};
   std::printf("%s\n\n", sentence_of(circumstances.machine).c_str());
+  if (!options.advice_file.empty()) {
+    const auto written = write_advice(options, circumstances);
+    return written ? 0 : fail(written.error().message);
+  }
   const auto result = measure_all(options, pipeline);
   if (!result) return fail(result.error().message);
   if (const auto written = write_all(options, *result, circumstances); !written) return fail(written.error().message);

@@ -87,21 +87,12 @@ bool have_one_scene(const StageResult& stage) {
                      [&](const auto& each) { return each.second == scenes.begin()->second; });
 }
 
-template <class Error>
-std::vector<std::size_t> front_by(const std::vector<Measurement>& measurements, Error&& error) {
-  std::vector<Choice> choices;
-  for (const Measurement& each : measurements) choices.push_back({each.time.ratio, error(each)});
-  return pareto_front(choices);
-}
-
 }  // namespace
 
 std::vector<std::size_t> front_of(const std::vector<Measurement>& measurements) {
-  return front_by(measurements, [](const Measurement& each) { return each.error; });
-}
-
-std::vector<std::size_t> front_to_reference(const std::vector<Measurement>& measurements) {
-  return front_by(measurements, [](const Measurement& each) { return each.to_reference.rmse_codes; });
+  std::vector<Choice> choices;
+  for (const Measurement& each : measurements) choices.push_back({each.time.ratio, each.error});
+  return pareto_front(choices);
 }
 
 Scatter plot_of(const StageResult& stage) {

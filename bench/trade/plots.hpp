@@ -19,7 +19,4 @@ Scatter plot_of(const std::vector<WholeResult>& scenes);
 /// Those of the measurements that no other beats in time and error.
 std::vector<std::size_t> front_of(const std::vector<Measurement>& measurements);
 
-/// The same, with errors against the reference's picture in place of the ideal one.
-std::vector<std::size_t> front_to_reference(const std::vector<Measurement>& measurements);
-
 }  // namespace tuberia::bench::trade

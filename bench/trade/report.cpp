@@ -104,32 +104,6 @@ Json heading_of(const Circumstances& circumstances) {
           {"quick", circumstances.is_quick}};
 }
 
-bool contains(const std::vector<std::size_t>& places, std::size_t i) {
-  return std::find(places.begin(), places.end(), i) != places.end();
-}
-
-Json advice_of(const WholeResult& result) {
-  const std::vector<std::size_t> to_ideal = front_of(result.measurements),
-                                 to_reference = front_to_reference(result.measurements);
-  Json settings = Json::array();
-  for (std::size_t i = 0; i < result.measurements.size(); ++i) {
-    const Measurement& each = result.measurements[i];
-    Json choices;
-    for (std::size_t k = 0; k < result.switches.size(); ++k)
-      choices[result.switches[k]] = result.settings[k][each.choices[k]];
-    settings.push_back({{"choices", choices},
-                        {"time_ratio", each.time.ratio},
-                        {"milliseconds", each.time.median_ms},
-                        {"largest_code_to_reference", each.to_reference.largest_code},
-                        {"rmse_codes_to_reference", each.to_reference.rmse_codes},
-                        {"largest_code_to_ideal", each.to_ideal.largest_code},
-                        {"rmse_codes_to_ideal", each.to_ideal.rmse_codes},
-                        {"on_front_to_reference", contains(to_reference, i)},
-                        {"on_front_to_ideal", contains(to_ideal, i)}});
-  }
-  return {{"scene", result.scene}, {"what", result.what}, {"settings", settings}};
-}
-
 }  // namespace
 
 std::string csv_of(const TradeResult& result) {
@@ -169,13 +143,6 @@ std::string json_of(const TradeResult& result, const Circumstances& circumstance
               {"scenes", scenes},
               {"known_figures", json_of(known_figures(result))}}
              .dump(1) +
-         "\n";
-}
-
-std::string advice_json_of(const TradeResult& result, const Circumstances& circumstances) {
-  Json scenes = Json::array();
-  for (const WholeResult& whole : result.scenes) scenes.push_back(advice_of(whole));
-  return Json{{"format", "tuberia trade 1"}, {"circumstances", heading_of(circumstances)}, {"scenes", scenes}}.dump(1) +
          "\n";
 }
 

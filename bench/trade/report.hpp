@@ -23,10 +23,6 @@ std::string csv_of(const TradeResult& result);
 /// Everything, with the known figures.
 std::string json_of(const TradeResult& result, const Circumstances& circumstances);
 
-/// What whoever must choose a setting needs, and no more: for every whole scene and combination the relative time and
-/// the error, against the reference's picture and against the ideal one. docs/trade.md describes it.
-std::string advice_json_of(const TradeResult& result, const Circumstances& circumstances);
-
 /// Tables: every stage, the best combinations of every scene, the known figures.
 std::string markdown_of(const TradeResult& result, const Circumstances& circumstances);
 

@@ -5,12 +5,14 @@
 #include <set>
 #include <sstream>
 
+#include "bench/trade/adviser_table.hpp"
 #include "bench/trade/closed_forms.hpp"
 #include "bench/trade/plots.hpp"
 #include "bench/trade/probes.hpp"
 #include "bench/trade/report.hpp"
 #include "bench/trade/scenes.hpp"
 #include "bench/trade/settings.hpp"
+#include "scene/adviser/measured_trade.hpp"
 
 namespace tuberia::bench::trade {
 namespace {
@@ -224,14 +226,19 @@ TEST_CASE("trade report: JSON is read back, infinite PSNRs as null", "[bench][tr
   CHECK(all["stages"][0]["switches"][0]["measurements"][0]["to_ideal"]["psnr_db"].is_null());
   CHECK(all["stages"][0]["switches"][0]["measurements"][1]["setting"] == "a \"quick\" one, rather");
   CHECK(all["known_figures"].size() > 40);
+}
 
-  const auto advice = nlohmann::json::parse(advice_json_of(made_up_result(), circumstances));
-  CHECK(advice["circumstances"]["date"] == "2026-01-01");
-  const auto& settings = advice["scenes"][0]["settings"];
-  REQUIRE(settings.size() == 4);
-  CHECK(settings[2]["choices"]["filter"] == "quick");
-  CHECK(settings[2]["on_front_to_ideal"] == true);
-  CHECK(settings[3]["on_front_to_ideal"] == false);
+TEST_CASE("trade: the adviser's table is one that the adviser reads", "[bench][trade]") {
+  const auto text = measure_adviser_table("today, here", {.seconds = 0, .fewest_rounds = 1}, {.threads = 1}, Progress());
+  REQUIRE(text);
+  const auto table = MeasuredTrade::parse(*text);
+  INFO((table ? "" : table.error().message));
+  REQUIRE(table.ok());
+  CHECK(table->circumstances() == "today, here\n");
+  // What is worse is worse, and what costs a seventh of the texels is quicker.
+  const Effect nearest = table->predict(SurfaceKind::textured, {{6, 0, 0, 0}}), trilinear = table->predict(SurfaceKind::textured, {{3, 0, 0, 0}});
+  CHECK(nearest.rmse > trilinear.rmse);
+  CHECK(nearest.time_ratio < 0.5);
 }
 
 TEST_CASE("trade report: the page and the plots of whatever was measured have no broken numbers", "[bench][trade]") {
