@@ -7,8 +7,6 @@
 namespace tuberia::cli {
 namespace {
 
-double number(float x) { return static_cast<double>(x); }
-
 /// "1 draw", "2,045 fragments".
 std::string counted(std::int64_t count, const char* name) { return with_commas(count) + " " + name + (count == 1 ? "" : "s"); }
 

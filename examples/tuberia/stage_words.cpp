@@ -15,8 +15,6 @@ void join(std::string& list, const char* name) {
   list += name;
 }
 
-double number(float x) { return static_cast<double>(x); }
-
 std::string stencil_words(const FragmentRecord& fragment, const SampleRecord& sample, const OutputState& output) {
   const StencilFace& face = fragment.is_back ? output.stencil.back : output.stencil.front;
   return text("stencil reference %d & mask %d %s stored %d & mask is false", face.reference, face.read_mask, sign_of(face.test),

@@ -9,6 +9,9 @@ namespace tuberia::cli {
 /// printf into a string.
 [[gnu::format(printf, 1, 2)]] std::string text(const char* format, ...);
 
+/// What printing takes.
+constexpr double number(float x) noexcept { return static_cast<double>(x); }
+
 /// "near, behind"; "nothing" for 0.
 std::string planes_of(std::uint32_t outcode);
 /// The borders of the view that a clip position is beyond, the guard band notwithstanding: "left, near".
