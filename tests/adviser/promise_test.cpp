@@ -67,7 +67,10 @@ TEST_CASE("adviser: keeps the error, and takes at most 1.3 times the best admiss
                             << seconds[chosen] * 1e3 << " ms; best is " << words_of(qualities[best_number]) << " in " << best * 1e3 << " ms");
       CHECK(advice->keeps_budget);
       CHECK(errors[chosen] <= budget);
-      CHECK(seconds[chosen] <= 1.3 * best);
+      // A machine that does other things as well may have disturbed one of them: then both are timed again, for longer.
+      std::vector<double> both{seconds[chosen], best};
+      if (both[0] > 1.3 * both[1]) both = shortest_seconds(scene, {advice->chosen.quality, qualities[best_number]}, 60);
+      CHECK(both[0] <= 1.3 * both[1]);
     }
   }
 }
