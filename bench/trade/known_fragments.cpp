@@ -124,27 +124,27 @@ void add_depth(Figures& figures, const Measured& measured) {
   struct Known {
     double gap, d16, d24, d32f, reversed;
   };
-  for (const auto& [gap, d16, d24, d32f, reversed] : {Known{1e-3, 54.9, 8.2, 8.2, 0},
-                                                      {1e-4, 75.0, 26.7, 26.7, 0},
-                                                      {1e-5, 94.2, 46.8, 46.8, 0},
-                                                      {1e-6, 99.4, 66.7, 66.8, 0}}) {
+  for (const Known& each : {Known{1e-3, 54.9, 8.2, 8.2, 0},
+                            {1e-4, 75.0, 26.7, 26.7, 0},
+                            {1e-5, 94.2, 46.8, 46.8, 0},
+                            {1e-6, 99.4, 66.7, 66.8, 0}}) {
     char scene[32];
-    std::snprintf(scene, sizeof scene, "pairs %g apart", gap);
+    std::snprintf(scene, sizeof scene, "pairs %g apart", each.gap);
     const auto add = [&](const char* setting, double known, DepthCoding coding) {
       figures.push_back({.stage = "depth",
                          .what = std::string(scene) + ", " + setting,
                          .unit = "% in the wrong order",
                          .known = known,
-                         .derived = 100 * misordered_pairs(coding, gap),
+                         .derived = 100 * misordered_pairs(coding, each.gap),
                          .measured = measured.error("depth", "depth format", scene, setting),
-                         .remark = gap == 1e-3 && known > 0 && known < 10
+                         .remark = each.gap == 1e-3 && known > 0 && known < 10
                                        ? "theory rounds the depth alone; the machine's clip z is a float, too"
                                        : ""});
     };
-    add("d16", d16, DepthCoding::unorm16);
-    add("d24", d24, DepthCoding::unorm24);
-    add("d32f", d32f, DepthCoding::float32);
-    add("d32f reversed", reversed, DepthCoding::float32_reversed);
+    add("d16", each.d16, DepthCoding::unorm16);
+    add("d24", each.d24, DepthCoding::unorm24);
+    add("d32f", each.d32f, DepthCoding::float32);
+    add("d32f reversed", each.reversed, DepthCoding::float32_reversed);
   }
 }
 

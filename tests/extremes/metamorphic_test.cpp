@@ -165,13 +165,13 @@ TEST_CASE("metamorphic: moved by whole pixels, the picture moves and keeps its b
     studio.draw({.screen_positions = moved, .colours = colours}, gouraud(), state);
     return std::pair{studio.target().linear_image(), studio.target().depth_codes()};
   };
-  const auto [still, still_depths] = drawn(0, 0, InstructionSet::baseline);
+  const auto still = drawn(0, 0, InstructionSet::baseline);  // colours, depths
   for_every_instruction_set([&](InstructionSet set) {
     for (const auto& [dx, dy] : {std::pair{1, 0}, {64, 64}, {71, 13}, {193, 139}}) {
       const auto [there, depths] = drawn(dx, dy, set);
       for (int y = 0; y < 48; ++y)
         for (int x = 0; x < 64; ++x)
-          if (there.at(x + dx, y + dy) != still.at(x, y) || depths.at(x + dx, y + dy) != still_depths.at(x, y)) FAIL("moved by " << dx << ", " << dy << ": pixel " << x << ", " << y);
+          if (there.at(x + dx, y + dy) != still.first.at(x, y) || depths.at(x + dx, y + dy) != still.second.at(x, y)) FAIL("moved by " << dx << ", " << dy << ": pixel " << x << ", " << y);
     }
   });
 }
