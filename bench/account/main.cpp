@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bench/account/report.hpp"
+#include "bench/figures/command_line.hpp"
 #include "bench/guard/counting.hpp"
 
 namespace tuberia::bench {
@@ -25,9 +26,7 @@ int fail(const std::string& message) {
   return 1;
 }
 
-bool parse(int argc, char** argv, Options& options, int& status) {
-  CLI::App app{"Says where each workload's frame spends its time, against what bounds, and how it would scale.",
-               "tuberia_account"};
+void add_options(CLI::App& app, Options& options) {
   app.add_option("workload", options.prefixes, "Only workloads whose names begin with one of these");
   app.add_option("--frames", options.frames, "Frames of each workload; of every piece the shortest time counts")
       ->check(CLI::Range(1, 1000))
@@ -42,13 +41,6 @@ bool parse(int argc, char** argv, Options& options, int& status) {
                "Count instructions, too, with callgrind: minutes; only with --isa avx2");
   app.add_option("--draw", options.drawn, "Only draw this workload: what runs under callgrind");
   app.add_option("--commit", options.commit, "What the page calls the measured sources");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    status = app.exit(error);
-    return false;
-  }
-  return true;
 }
 
 bool is_chosen(const std::string& name, const std::vector<std::string>& prefixes) {
@@ -59,10 +51,8 @@ bool is_chosen(const std::string& name, const std::vector<std::string>& prefixes
 Result<AccountOptions> account_options(const Options& options) {
   AccountOptions account{.precision = options.precision == "exact" ? Precision::exact : Precision::fast,
                          .frames = options.frames};
-  if (options.instruction_set.empty()) return account;
-  const auto chosen = instruction_set_named(options.instruction_set);
-  if (!chosen || !is_supported(*chosen))
-    return Error{"this machine has no instruction set called " + options.instruction_set};
+  const auto chosen = instruction_set_from(options.instruction_set);
+  if (!chosen) return chosen.error();
   account.instruction_set = *chosen;
   return account;
 }
@@ -120,8 +110,10 @@ int run(const Options& options) {
 }  // namespace tuberia::bench
 
 int main(int argc, char** argv) {
+  CLI::App app{"Says where each workload's frame spends its time, against what bounds, and how it would scale.",
+               "tuberia_account"};
   tuberia::bench::Options options;
-  int status = 0;
-  if (!tuberia::bench::parse(argc, argv, options, status)) return status;
+  tuberia::bench::add_options(app, options);
+  CLI11_PARSE(app, argc, argv);
   return tuberia::bench::run(options);
 }

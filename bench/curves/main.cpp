@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "bench/curves/curves.hpp"
+#include "bench/figures/command_line.hpp"
 #include "bench/figures/machine.hpp"
 
 namespace tuberia::bench {
@@ -39,9 +40,7 @@ int fail(const std::string& message) {
   return 1;
 }
 
-bool parse(int argc, char** argv, Options& options, int& status) {
-  CLI::App app{"Measures how the cost of a draw grows with what is drawn, and writes a page of curves.",
-               "tuberia_curves"};
+void add_options(CLI::App& app, Options& options) {
   std::vector<std::string> names;
   for (const NamedCurve& curve : kCurves) names.emplace_back(curve.name);
   app.add_option("curve", options.prefixes, "Only these curves")->check(CLI::IsMember(names));
@@ -55,13 +54,6 @@ bool parse(int argc, char** argv, Options& options, int& status) {
       ->check(CLI::IsMember({"exact", "fast"}))
       ->capture_default_str();
   app.add_option("--commit", options.commit, "What the page calls the measured sources");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    status = app.exit(error);
-    return false;
-  }
-  return true;
 }
 
 /// Only points with a positive x have a logarithm.
@@ -165,10 +157,8 @@ Page page_of(const std::vector<Curve>& curves, const Machine& machine, const Cur
 Result<CurveOptions> curve_options(const Options& options) {
   CurveOptions curves{.threads = options.threads, .quick = options.quick};
   curves.precision = options.precision == "exact" ? Precision::exact : Precision::fast;
-  if (options.instruction_set.empty()) return curves;
-  const auto chosen = instruction_set_named(options.instruction_set);
-  if (!chosen || !is_supported(*chosen))
-    return Error{"this machine has no instruction set called " + options.instruction_set};
+  const auto chosen = instruction_set_from(options.instruction_set);
+  if (!chosen) return chosen.error();
   curves.instruction_set = *chosen;
   return curves;
 }
@@ -203,8 +193,10 @@ int run(const Options& options) {
 }  // namespace tuberia::bench
 
 int main(int argc, char** argv) {
+  CLI::App app{"Measures how the cost of a draw grows with what is drawn, and writes a page of curves.",
+               "tuberia_curves"};
   tuberia::bench::Options options;
-  int status = 0;
-  if (!tuberia::bench::parse(argc, argv, options, status)) return status;
+  tuberia::bench::add_options(app, options);
+  CLI11_PARSE(app, argc, argv);
   return tuberia::bench::run(options);
 }

@@ -37,19 +37,10 @@ std::string this_compiler() {
 #endif
 }
 
-bool parse(int argc, char** argv, Options& options, int& status) {
-  CLI::App app{"Counts the instructions of eight small frames and compares them with recorded counts.",
-               "tuberia_check"};
+void add_options(CLI::App& app, Options& options) {
   app.add_option("--baseline", options.baseline_file, "The recorded counts")->capture_default_str();
   auto* record = app.add_flag("--record", options.record, "Write the counts to the baseline instead of comparing");
   app.add_option("--draw", options.drawn, "Only draw this workload: what runs under valgrind")->excludes(record);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    status = app.exit(error);
-    return false;
-  }
-  return true;
 }
 
 Result<std::vector<InstructionCount>> count_all() {
@@ -126,8 +117,10 @@ int check(const Options& options) {
 }  // namespace tuberia::bench
 
 int main(int argc, char** argv) {
+  CLI::App app{"Counts the instructions of eight small frames and compares them with recorded counts.",
+               "tuberia_check"};
   tuberia::bench::Options options;
-  int status = 0;
-  if (!tuberia::bench::parse(argc, argv, options, status)) return status;
+  tuberia::bench::add_options(app, options);
+  CLI11_PARSE(app, argc, argv);
   return tuberia::bench::check(options);
 }

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/figures/command_line.hpp"
 #include "bench/peers/comparison.hpp"
 #include "bench/peers/peer.hpp"
 #include "bench/peers/pinning.hpp"
@@ -50,29 +51,8 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--require-least", options.requirement.least, "Exit status 1 if any ratio is below this")->check(CLI::PositiveNumber);
 }
 
-// Fills `options`; returns whether to go on, with the exit status in `status` if not.
-bool parse(int argc, char** argv, Options& options, int& status) {
-  CLI::App app{"Times Tuberia and llvmpipe on the same frames, in turns.", "tuberia_peers"};
-  add_options(app, options);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    status = app.exit(error);
-    return false;
-  }
-  return true;
-}
-
-Result<InstructionSet> our_instruction_set(const Options& options) {
-  if (options.instruction_set.empty()) return best_instruction_set();
-  const auto instruction_set = instruction_set_named(options.instruction_set);
-  if (!instruction_set || !is_supported(*instruction_set))
-    return Error{"this machine has no instruction set called " + options.instruction_set};
-  return *instruction_set;
-}
-
 Result<std::unique_ptr<Peer>> make_our_peer(const Options& options) {
-  const auto instruction_set = our_instruction_set(options);
+  const auto instruction_set = instruction_set_from(options.instruction_set);
   if (!instruction_set) return instruction_set.error();
   return make_tuberia_peer(options.threads, *instruction_set,
                            options.precision == "exact" ? Precision::exact : Precision::fast);
@@ -135,7 +115,7 @@ int compare_peers(const Options& options) {
   if (!ours) return fail(ours.error().message);
 
   std::printf("%d %s each, %s; tuberia: %s, %s precision.\n\n", options.threads, options.threads == 1 ? "thread" : "threads",
-              pinned.c_str(), std::string(name_of(our_instruction_set(options).value())).c_str(), options.precision.c_str());
+              pinned.c_str(), std::string(name_of(instruction_set_from(options.instruction_set).value())).c_str(), options.precision.c_str());
   print_heading(**ours, **theirs);
   std::vector<Timing> timings;
   for (const std::string& name : names) {
@@ -153,8 +133,9 @@ int compare_peers(const Options& options) {
 }  // namespace tuberia::bench
 
 int main(int argc, char** argv) {
+  CLI::App app{"Times Tuberia and llvmpipe on the same frames, in turns.", "tuberia_peers"};
   tuberia::bench::Options options;
-  int status = 0;
-  if (!tuberia::bench::parse(argc, argv, options, status)) return status;
+  tuberia::bench::add_options(app, options);
+  CLI11_PARSE(app, argc, argv);
   return tuberia::bench::compare_peers(options);
 }

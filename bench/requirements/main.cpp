@@ -8,6 +8,7 @@
 #include <fstream>
 #include <thread>
 
+#include "bench/figures/command_line.hpp"
 #include "bench/requirements/report.hpp"
 
 namespace tuberia::bench {
@@ -68,9 +69,8 @@ void tell(const MeasuredScene& scene) {
 
 Result<MeasureOptions> measure_options(const Options& options) {
   MeasureOptions how{.threads = options.threads, .rounds = options.quick ? 3 : 11};
-  if (options.instruction_set.empty()) return how;
-  const auto chosen = instruction_set_named(options.instruction_set);
-  if (!chosen || !is_supported(*chosen)) return Error{"this machine has no instruction set called " + options.instruction_set};
+  const auto chosen = instruction_set_from(options.instruction_set);
+  if (!chosen) return chosen.error();
   how.instruction_set = *chosen;
   return how;
 }

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/figures/command_line.hpp"
 #include "bench/trade/adviser_table.hpp"
 #include "bench/trade/plots.hpp"
 #include "bench/trade/progress.hpp"
@@ -30,9 +31,7 @@ int fail(const std::string& message) {
   return 1;
 }
 
-bool parse(int argc, char** argv, Options& options, int& status) {
-  CLI::App app{"Measures what every switch that trades speed for accuracy costs and gives, and writes a page of plots.",
-               "tuberia_trade"};
+void add_options(CLI::App& app, Options& options) {
   app.add_option("stage", options.only, "Only these stages or whole scenes (\"scenes\": all of those)");
   app.add_flag("--quick", options.quick, "Three rounds of everything: to try it out, not to quote");
   app.add_option("--threads", options.threads, "Threads of the pipeline")
@@ -43,13 +42,6 @@ bool parse(int argc, char** argv, Options& options, int& status) {
   app.add_option("--advice", options.advice_file, "Instead, measure what `tuberia render --error-budget` predicts from, and write it to this file");
   app.add_option("--images", options.images_folder, "Write every plot as an SVG file into this folder, too");
   app.add_option("--commit", options.commit, "What the page calls the measured sources");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    status = app.exit(error);
-    return false;
-  }
-  return true;
 }
 
 bool is_chosen(const Options& options, const std::string& name, const std::string& kind) {
@@ -186,13 +178,9 @@ Result<Nothing> write_advice(const Options& options, const Circumstances& circum
 }
 
 int run(const Options& options) {
-  PipelineOptions pipeline{.threads = options.threads};
-  if (!options.instruction_set.empty()) {
-    const auto chosen = instruction_set_named(options.instruction_set);
-    if (!chosen || !is_supported(*chosen))
-      return fail("this machine has no instruction set called " + options.instruction_set);
-    pipeline.instruction_set = *chosen;
-  }
+  const auto chosen = instruction_set_from(options.instruction_set);
+  if (!chosen) return fail(chosen.error().message);
+  const PipelineOptions pipeline{.threads = options.threads, .instruction_set = *chosen};
   const Circumstances circumstances{this_machine(options.commit), pipeline, options.quick};
   std::printf("%s\n\n", sentence_of(circumstances.machine).c_str());
   if (!options.advice_file.empty()) {
@@ -210,8 +198,10 @@ int run(const Options& options) {
 }  // namespace tuberia::bench::trade
 
 int main(int argc, char** argv) {
+  CLI::App app{"Measures what every switch that trades speed for accuracy costs and gives, and writes a page of plots.",
+               "tuberia_trade"};
   tuberia::bench::trade::Options options;
-  int status = 0;
-  if (!tuberia::bench::trade::parse(argc, argv, options, status)) return status;
+  tuberia::bench::trade::add_options(app, options);
+  CLI11_PARSE(app, argc, argv);
   return tuberia::bench::trade::run(options);
 }
