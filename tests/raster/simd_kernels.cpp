@@ -25,6 +25,25 @@ struct ArrayKernels {
   static void pow_of(const float* base, const float* exponent, int count, float* out) {
     for (int i = 0; i < count; i += kLanes) store(pow(load<F>(base + i), load<F>(exponent + i)), out + i);
   }
+  static void sine_cosine_of(const float* a, int count, float* sine, float* cosine) {
+    for (int i = 0; i < count; i += kLanes) {
+      store(sin(load<F>(a + i)), sine + i);
+      store(cos(load<F>(a + i)), cosine + i);
+    }
+  }
+  static void sine_cosine_of_turns_of(const float* a, int count, float* sine, float* cosine) {
+    for (int i = 0; i < count; i += kLanes) {
+      const SineCosine<F> result = sine_cosine_of_turns(load<F>(a + i));
+      store(result.sine, sine + i);
+      store(result.cosine, cosine + i);
+    }
+  }
+  static void acos_of(const float* a, int count, float* out) {
+    for (int i = 0; i < count; i += kLanes) store(acos(load<F>(a + i)), out + i);
+  }
+  static void atan2_of(const float* y, const float* x, int count, float* out) {
+    for (int i = 0; i < count; i += kLanes) store(atan2(load<F>(y + i), load<F>(x + i)), out + i);
+  }
   static void reciprocal_of(const float* a, int count, float* out) {
     for (int i = 0; i < count; i += kLanes) store(reciprocal(load<F>(a + i)), out + i);
   }
@@ -59,7 +78,7 @@ struct ArrayKernels {
     }
   }
 
-  static constexpr test::SimdKernels kTable{&log2_of, &exp2_of, &pow_of, &reciprocal_of, &inverse_sqrt_of, &normalize_of, &sample_of, &sample_any_of};
+  static constexpr test::SimdKernels kTable{&log2_of, &exp2_of, &pow_of, &sine_cosine_of, &sine_cosine_of_turns_of, &acos_of, &atan2_of, &reciprocal_of, &inverse_sqrt_of, &normalize_of, &sample_of, &sample_any_of};
 };
 
 inline const test::SimdKernels& test_kernels(Precision precision) {

@@ -15,6 +15,10 @@ struct SimdKernels {
   void (*log2)(const float* a, int count, float* out);
   void (*exp2)(const float* a, int count, float* out);
   void (*pow)(const float* base, const float* exponent, int count, float* out);
+  void (*sine_cosine)(const float* a, int count, float* sine, float* cosine);
+  void (*sine_cosine_of_turns)(const float* a, int count, float* sine, float* cosine);
+  void (*acos)(const float* a, int count, float* out);
+  void (*atan2)(const float* y, const float* x, int count, float* out);
   void (*reciprocal)(const float* a, int count, float* out);
   void (*inverse_sqrt)(const float* a, int count, float* out);
   void (*normalize)(const float* x, const float* y, const float* z, int count, float* out_x, float* out_y, float* out_z);
