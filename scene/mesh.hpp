@@ -19,6 +19,8 @@ struct Mesh {
   std::string name;
   std::vector<glm::vec3> positions;    // object space
   std::vector<glm::vec3> normals;      // object space, length 1
+  std::vector<glm::vec3> tangents;     // object space, dP/du: the change of position along one unit of texcoord u; not unit
+  std::vector<glm::vec3> bitangents;   // object space, dP/dv; not unit
   std::vector<glm::vec2> texcoords;    // (0, 0) is the upper left corner of the image, v down
   std::vector<glm::vec4> colours;      // linear, in [0, 1]; alpha not premultiplied
   std::vector<std::uint32_t> indices;  // three a triangle, each less than positions.size()

@@ -29,7 +29,7 @@ struct HashBits {
 };
 
 using PositionBits = Bits<3>;
-using VertexBits = Bits<12>;
+using VertexBits = Bits<18>;
 
 PositionBits position_bits(const glm::vec3& position) {
   return {bits_of(position.x), bits_of(position.y), bits_of(position.z)};
@@ -45,6 +45,8 @@ VertexBits vertex_bits(const Mesh& mesh, std::uint32_t vertex) {
   };
   append(mesh.positions, 3);
   append(mesh.normals, 3);
+  append(mesh.tangents, 3);
+  append(mesh.bitangents, 3);
   append(mesh.texcoords, 2);
   append(mesh.colours, 4);
   return words;
@@ -103,6 +105,8 @@ void join_identical_vertices(Mesh& mesh) {
   }
   keep(mesh.positions, kept);
   keep(mesh.normals, kept);
+  keep(mesh.tangents, kept);
+  keep(mesh.bitangents, kept);
   keep(mesh.texcoords, kept);
   keep(mesh.colours, kept);
 }
