@@ -1,0 +1,112 @@
+// Whether a light reaches a fragment, and what picture it throws there: look-ups in what the light sees.
+
+#if defined(TUBERIA_PIPELINE_PROGRAMS_SHADOW_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef TUBERIA_PIPELINE_PROGRAMS_SHADOW_INL
+#undef TUBERIA_PIPELINE_PROGRAMS_SHADOW_INL
+#else
+#define TUBERIA_PIPELINE_PROGRAMS_SHADOW_INL
+#endif
+
+#include "pipeline/programs/shadow_map.hpp"
+#include "raster/simd/vector-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace tuberia {
+namespace HWY_NAMESPACE {
+
+/// A row of the product with (point, 1).
+template <class F>
+HWY_INLINE F map_coordinate(const glm::mat4& map_from_world, int row, Vec3<F> point) {
+  const glm::mat4& m = map_from_world;
+  return mul_add(point.z, F(m[2][row]), mul_add(point.y, F(m[1][row]), mul_add(point.x, F(m[0][row]), F(m[3][row]))));
+}
+
+/// A point as a light sees it.
+template <class F>
+struct MapPoint {
+  F s, t, depth;
+  Mask inside;  // before the light and within its picture, where nothing that is not a number is
+};
+
+template <class F>
+HWY_INLINE MapPoint<F> map_point(const glm::mat4& map_from_world, Vec3<F> point) {
+  const F w = map_coordinate(map_from_world, 3, point);
+  const F scale = 1.0f / w;
+  const F s = map_coordinate(map_from_world, 0, point) * scale;
+  const F t = map_coordinate(map_from_world, 1, point) * scale;
+  const F depth = map_coordinate(map_from_world, 2, point) * scale;
+  return {s, t, depth, (w > 0.0f) & (s >= 0.0f) & (s <= 1.0f) & (t >= 0.0f) & (t <= 1.0f)};
+}
+
+/// The point that is compared in place of a surface's own. n, l: unit, the normal and towards the light.
+template <class F>
+HWY_INLINE Vec3<F> biased_point(const ShadowMap& map, Vec3<F> point, Vec3<F> n, Vec3<F> l, F light_cosine) {
+  // From the middle of a texel to where its depth is still compared with, in texels; vertices are snapped
+  // to 1/256 of them, so depths may belong to a point that is half of that away, and another half is slack.
+  const float reach = 0.5f * static_cast<float>(map.taps) + 1.0f / 256;
+  const F tilt = abs(dot(n, Vec3<F>(map.texel_right))) + abs(dot(n, Vec3<F>(map.texel_down)));
+  const F height = tilt * map_coordinate(map.map_from_world, 3, point) * reach;
+  // Where light grazes, a long way leads up to that height; below this cosine it hardly shows.
+  constexpr float kLeastCosine = 1e-3f;
+  const F towards_light = height / select(light_cosine > kLeastCosine, light_cosine, F(kLeastCosine));
+  return point + l * (towards_light * map.slope_bias + map.constant_bias) + n * (height * map.normal_offset);
+}
+
+/// The integral over a box taps - 1 wide, from `fraction` on, of what is value(0) up to 1, value(1) up to
+/// 2 and so on; of one value the value. Where all are 1 it is taps - 1, without any rounding.
+template <class F, class Value>
+HWY_INLINE F box_filtered(int taps, F fraction, const Value& value) {
+  const F first = value(0);
+  if (taps == 1) return first;
+  F sum = mix(first, value(taps - 1), fraction);
+  for (int i = 1; i < taps - 1; ++i) sum += value(i);
+  return sum;
+}
+
+/// How much of the texels around a point lets the light pass to it, 0 to 1: "percentage closer". [Reeves]
+template <class F>
+HWY_INLINE F lit_share(const ShadowMap& map, const MapPoint<F>& at) {
+  const TextureLevel& level = map.depths->level(0);
+  const F reference = at.depth - map.depth_error;
+  const float margin = 0.5f * static_cast<float>(map.taps - 1);
+  const F x = select(at.inside, at.s, F(0.5f)) * static_cast<float>(level.width) - margin;
+  const F y = select(at.inside, at.t, F(0.5f)) * static_cast<float>(level.height) - margin;
+  const F left = floor(x), top = floor(y);
+  const auto within = [](Int i, int size) HWY_ATTR { return max(min(i, Int(size - 1)), Int(0)); };
+  const F sum = box_filtered(map.taps, y - top, [&](int j) HWY_ATTR {
+    const Int row = within(truncate_to_int(top) + Int(j), level.height) * Int(level.width);
+    return box_filtered(map.taps, x - left, [&](int i) HWY_ATTR {
+      const F depth = gather<F>(level.floats, row + within(truncate_to_int(left) + Int(i), level.width));
+      // Where nothing was drawn nothing casts shadow, even on what lies beyond the light's far plane.
+      return select((reference > depth) & (depth < 1.0f), F(0.0f), F(1.0f));
+    });
+  });
+  const auto box = static_cast<float>(map.taps > 1 ? map.taps - 1 : 1);
+  return sum / (box * box);
+}
+
+/// V: how much of a light reaches a point, 0 to 1. n, l: unit, the surface's normal (without relief) and
+/// the direction to the light; light_cosine: theirs. Points that are not finite are lit. [A 1.3] [FIX 13]
+template <class F>
+HWY_INLINE F light_visibility(const ShadowMap& map, Vec3<F> point, Vec3<F> n, Vec3<F> l, F light_cosine) {
+  const MapPoint<F> at = map_point(map.map_from_world, biased_point(map, point, n, l, light_cosine));
+  if (none(at.inside)) return F(1.0f);
+  return select(at.inside, lit_share(map, at), F(1.0f));
+}
+
+/// The colour that a projector throws on a point; the texture's level follows from how much its coordinates
+/// change from fragment to fragment.
+template <class Fragment, class F>
+HWY_INLINE Vec3<F> projected_light(const Fragment& in, const ProjectedTexture& projected, Vec3<F> point) {
+  const MapPoint<F> at = map_point(projected.map_from_world, point);
+  if (none(at.inside)) return Vec3<F>(F(0.0f));
+  const Vec3<F> colour = in.sample(*projected.texture, projected.sampler, Vec2<F>{at.s, at.t}).rgb();
+  const auto thrown = [&](F channel) HWY_ATTR { return select(at.inside, channel, F(0.0f)); };
+  return {thrown(colour.x), thrown(colour.y), thrown(colour.z)};
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace tuberia
+HWY_AFTER_NAMESPACE();
+
+#endif

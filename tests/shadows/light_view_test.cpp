@@ -1,0 +1,116 @@
+// What a light sees, by closed forms.
+
+#include <catch2/catch.hpp>
+
+#include "tests/shadows/shadow_scene.hpp"
+#include "tests/support/random.hpp"
+
+namespace tuberia {
+
+namespace {
+
+Bounds box_of(const glm::vec3& lower, const glm::vec3& upper) { return {lower, upper}; }
+
+/// (s, t, depth, w) in double.
+glm::dvec4 on_map(const LightView& view, const glm::dvec3& point) {
+  const glm::dvec4 q = glm::dmat4(view.map_from_world) * glm::dvec4(point, 1);
+  return {q.x / q.w, q.y / q.w, q.z / q.w, q.w};
+}
+
+std::string refusal_of_view(const Light& light, const Bounds& seen) {
+  const auto view = light_view(light, seen);
+  return view ? "" : view.error().message;
+}
+
+}  // namespace
+
+TEST_CASE("light views: a box is seen whole, and fills the picture", "[shadows][A14]") {
+  test::Random random(401);
+  for (int round = 0; round < 200; ++round) {
+    INFO("seed 401, round " << round);
+    const auto some = [&](float reach) { return glm::vec3(random.between(-reach, reach), random.between(-reach, reach), random.between(-reach, reach)); };
+    const glm::vec3 corner = some(5), size = glm::abs(some(3)) + 0.01f;
+    const Bounds box = box_of(corner, corner + size);
+    const bool directional = round % 2 == 0;
+    const glm::vec3 direction = round % 10 == 0 ? glm::vec3(0, 1, 0) : glm::normalize(some(1) + glm::vec3(0.01f));
+    const Light light{.kind = directional ? Light::Kind::directional : Light::Kind::point,
+                      .towards = directional ? direction : box.centre() + direction * (box.radius() * random.between(1.1f, 20))};
+    const LightView view = test::value_of(light_view(light, box));
+    glm::dvec3 smallest(10), largest(-10);
+    for (int i = 0; i < 8; ++i) {
+      const glm::dvec3 p{i & 1 ? box.upper.x : box.lower.x, i & 2 ? box.upper.y : box.lower.y, i & 4 ? box.upper.z : box.lower.z};
+      const glm::dvec4 q = on_map(view, p);
+      smallest = glm::min(smallest, glm::dvec3(q));
+      largest = glm::max(largest, glm::dvec3(q));
+      // In a perspective view w is the distance along the line of sight.
+      const glm::dvec3 line = glm::normalize(view.camera.point_of_interest - view.camera.eye);
+      CHECK(q.w == Approx(directional ? 1.0 : glm::dot(p - view.camera.eye, line)).epsilon(1e-5));
+    }
+    for (int k = 0; k < 2; ++k) {
+      CHECK(smallest[k] >= 0.001);
+      CHECK(largest[k] <= 0.999);
+      // Perspective pictures have the slack of their larger side.
+      CHECK(largest[k] - smallest[k] > 0.5);
+    }
+    CHECK(std::max(largest.x - smallest.x, largest.y - smallest.y) > 0.95);
+    CHECK(smallest.z >= 0);
+    CHECK(smallest.z < 0.05);
+    CHECK(largest.z <= 1);
+    CHECK(largest.z > 0.95);
+  }
+}
+
+TEST_CASE("light views: the picture's sides in the world", "[shadows][A14]") {
+  const Bounds box = box_of({-1, 0, -2}, {2, 1, 3});
+  for (const Light& light : {test::kSun, test::kLamp}) {
+    const LightView view = test::value_of(light_view(light, box));
+    const glm::dvec3 middle(0.5, 0.5, 0.5);
+    const glm::dvec4 at = on_map(view, middle);
+    // A step of a tenth of a side, at the distance where it is made.
+    const glm::dvec4 right = on_map(view, middle + glm::dvec3(view.right) * (0.1 * at.w)), down = on_map(view, middle + glm::dvec3(view.down) * (0.1 * at.w));
+    CHECK(right.x - at.x == Approx(0.1).epsilon(1e-5));
+    CHECK(right.y - at.y == Approx(0).margin(1e-6));
+    CHECK(down.y - at.y == Approx(0.1).epsilon(1e-5));
+    CHECK(down.x - at.x == Approx(0).margin(1e-6));
+    CHECK(right.w == Approx(at.w).epsilon(1e-6));
+  }
+}
+
+TEST_CASE("light views: points on one ray of light share a texel", "[shadows][A14]") {
+  const Bounds box = box_of({-1, -1, -1}, {1, 1, 1});
+  test::Random random(402);
+  for (const Light& light : {test::kSun, test::kLamp}) {
+    const LightView view = test::value_of(light_view(light, box));
+    for (int round = 0; round < 50; ++round) {
+      const glm::dvec3 p{random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)};
+      const glm::dvec3 nearer = p + test::to_light(light, p) * 0.1;
+      const glm::dvec4 far = on_map(view, p), near = on_map(view, nearer);
+      CHECK(near.x == Approx(far.x).margin(1e-6));
+      CHECK(near.y == Approx(far.y).margin(1e-6));
+      CHECK(near.z < far.z);
+    }
+  }
+}
+
+TEST_CASE("light views: what cannot be seen is refused by name", "[shadows]") {
+  const Bounds box = box_of({-1, -1, -1}, {1, 1, 1});
+  const auto nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
+  const auto sun = [](const glm::vec3& towards) { return Light{.kind = Light::Kind::directional, .towards = towards}; };
+  const auto lamp = [](const glm::vec3& at) { return Light{.kind = Light::Kind::point, .towards = at}; };
+  CHECK(refusal_of_view(sun({0, 1, 0}), {}) == "the box that the light is to see is empty");
+  CHECK(refusal_of_view(sun({0, 1, 0}), box_of({-1, -1, -1}, {1, infinity, 1})) == "the box that the light is to see is not finite");
+  CHECK(refusal_of_view(sun({0, nan, 0}), box) == "the light's direction or position is not finite");
+  CHECK(refusal_of_view(sun({0, 0, 0}), box) == "the light's direction is zero");
+  for (const glm::vec3& inside : {glm::vec3(0), glm::vec3(0.5f), glm::vec3(1, 0, 0), glm::vec3(0.99f, 0.99f, 0.99f)})
+    CHECK(refusal_of_view(lamp(inside), box) == "the light lies inside of what it is to see, or too close to it for one picture");
+  CHECK(refusal_of_view(lamp({0, 1.5f, 0}), box) == "");
+  // A box without extent is a point, or a line, or a plane seen from its edge.
+  CHECK(refusal_of_view(sun({0, 1, 0}), box_of({1, 2, 3}, {1, 2, 3})) == "");
+  CHECK(refusal_of_view(lamp({0, 1, 0}), box_of({1, 2, 3}, {1, 2, 3})) == "");
+  CHECK(refusal_of_view(sun({1, 0, 0}), box_of({-1, 0, -1}, {1, 0, 1})) == "");
+  Camera reversed = test::value_of(light_camera(test::kSun, box));
+  reversed.reversed_depth = true;
+  CHECK(light_view(reversed).error().message == "a light's view with reversed depth cannot be compared with");
+}
+
+}  // namespace tuberia
