@@ -8,12 +8,15 @@
 
 namespace tuberia::description {
 
-/// A clear sky with a sun over a ground, linear RGB.
+/// A sky with a sun over a ground, radiances linear RGB.
 struct Sky {
-  glm::vec3 zenith{0.15f, 0.35f, 0.8f}, horizon{0.7f, 0.8f, 0.95f}, ground{0.25f, 0.22f, 0.18f};
-  glm::dvec3 sun_towards{1, 1, 0.5};      // the direction to it, not 0
-  double sun_degrees = 4;                 // its diameter, inside (0, 90)
-  glm::vec3 sun{20};                      // its radiance
+  glm::dvec3 sun_towards{0.3, 0.5, -0.8};         // the direction to it, not 0
+  double sun_degrees = 2.3;                       // its diameter as it is seen, inside (0, 90); the real one's is 0.54
+  glm::vec3 sun{160, 140, 105};
+  glm::vec3 glow{1.1f, 0.85f, 0.55f};             // around the sun, falling off with the angle
+  glm::vec3 zenith{0.1f, 0.22f, 0.55f}, horizon{0.62f, 0.72f, 0.85f}, ground{0.16f, 0.13f, 0.1f};
+  double cloudiness = 0.45;                       // share of the sky under clouds, about, 0..1
+  std::uint32_t seed = 1;                         // of the clouds
   bool operator==(const Sky&) const = default;
 };
 

@@ -8,15 +8,24 @@
 
 namespace tuberia::description {
 
-/// How the shadows of a light are found where that is done with a map of depths. Who traces rays needs
-/// to know only that the light casts them.
+/// How the shadows of a light are found where that is done with a map of depths, see docs/shadows.md. Who
+/// traces rays needs to know only that the light casts them.
 struct Shadow {
   int resolution = 1024;      // texels each way
-  double constant_bias = 0;   // in depths of the map, 0..1
-  double slope_bias = 2;      // times the tangent of the light's angle to the normal, in texels of the map
-  double normal_offset = 0;   // world units, times the sine of that angle
-  int taps = 2;               // comparisons each way, whose mean is taken: 1, 2 or 3
+  double constant_bias = 0;   // world units towards the light, 0 or more
+  double slope_bias = 1;      // towards the light, and
+  double normal_offset = 0;   // along the normal, in heights that clear the depths of a texel, 0 or more
+  int taps = 2;               // texels each way that are compared, whose mean is taken: 1..8
   bool operator==(const Shadow&) const = default;
+};
+
+/// A picture that a light throws, as a slide projector does. Its middle falls on the light's look_at.
+struct Projection {
+  std::string texture;
+  glm::dvec3 up{0, 1, 0};     // the picture's, world space; not along the light's axis
+  double fovy_degrees = 40;   // point, spot: its vertical opening, inside (0, 180)
+  double height = 4;          // directional: world units, > 0
+  bool operator==(const Projection&) const = default;
 };
 
 /// World space. area: a parallelogram around its position, as samples x samples points of equal parts
@@ -29,7 +38,7 @@ struct Light {
   glm::vec3 intensity{1};                       // Ip, linear RGB, 0 or more
   glm::dvec3 towards{0, 0, 1};                  // directional: the direction to the light, not 0
   glm::dvec3 position{0, 5, 0};                 // all others
-  glm::dvec3 look_at{0};                        // spot: the point that its axis goes through; directional and point lights: where the projected picture's middle falls
+  glm::dvec3 look_at{0};                        // all but area: the point that a spot's axis, or a projection's, goes through
   double cone_degrees = 30;                     // spot: from the axis to where its light ends, inside (0, 90)
   double full_cone_degrees = 25;                // spot: up to here it is undiminished, 0..cone_degrees
   glm::dvec3 edge_u{1, 0, 0}, edge_v{0, 0, 1};  // area: its sides
@@ -37,7 +46,7 @@ struct Light {
   Falloff falloff = Falloff::none;              // of all but directional lights
   double falloff_distance = 1;                  // linear: d0, world units, > 0
   std::optional<Shadow> shadow;                 // unset: nothing stands in its way
-  std::string projected_texture;                // a picture that it throws, as a slide projector does; "": none
+  std::optional<Projection> projection;         // of all but area lights; unset: the same colour everywhere
   bool operator==(const Light&) const = default;
 };
 

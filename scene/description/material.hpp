@@ -18,6 +18,7 @@ struct Texture {
   enum class Encoding : std::uint8_t { srgb, linear };
   enum class Filter : std::uint8_t { nearest, bilinear, mipmap_nearest, trilinear };
   enum class Wrap : std::uint8_t { repeat, clamp, mirror };
+  enum class LevelRule : std::uint8_t { derivatives, distance };
   std::string name;
   Source source = Source::file;
   std::string file;                       // relative to the scene's folder
@@ -29,6 +30,8 @@ struct Texture {
   bool level_colours = false;             // each mipmap level in a colour of its own, which shows which one is read
   Filter filter = Filter::trilinear;
   double anisotropy = 1;                  // 1..16
+  LevelRule level_rule = LevelRule::derivatives;  // which mipmap level: by a pixel's size on the texture, or log2(d / texel_distance) [A 1.1]
+  double texel_distance = 1;              // distance: where a texel is as large as a pixel, world units, > 0
   Wrap wrap = Wrap::repeat;
   bool operator==(const Texture&) const = default;
 };
@@ -67,8 +70,11 @@ struct Bump {
   bool operator==(const Bump&) const = default;
 };
 
-/// How light is reflected. Formulas: docs/conventions.md and [B 2, 4.2.2].
+/// How light is reflected. Formulas: math/reflection.hpp.
 enum class Reflection : std::uint8_t { lambert, phong, blinn_phong, weighted_phong, cook_torrance };
+
+/// How many facets of a rough surface are tilted by an angle.
+enum class Facets : std::uint8_t { beckmann, gaussian };
 
 /// Constants are linear RGB.
 struct Material {
@@ -78,8 +84,9 @@ struct Material {
   glm::vec3 diffuse{0.8f};            // kd, times the pattern or texture
   glm::vec3 specular{0};              // ks; cook_torrance: what its D G F is multiplied with
   double exponent = 32;               // n of phong, blinn_phong and weighted_phong, >= 0
-  double roughness = 0.3;             // m of cook_torrance, > 0
-  glm::vec3 refractive_index{1.5f};   // of weighted_phong and cook_torrance, > 0
+  double roughness = 0.3;             // m of cook_torrance, 1e-3..1e3
+  glm::vec3 refractive_index{1.5f};   // of weighted_phong and cook_torrance, 1e-3..1e3
+  Facets facets = Facets::beckmann;   // of cook_torrance
   bool divided_by_pi = true;          // cook_torrance as the notes print it; false: the later 4 [FIX 12]
   std::string texture;                // of kd; "": none
   std::optional<Pattern> pattern;     // of kd, where there is no texture

@@ -10,6 +10,7 @@ constexpr std::array<std::string_view, 4> kTextureSources{"file", "checker", "ra
 constexpr std::array<std::string_view, 2> kEncodings{"srgb", "linear"};
 constexpr std::array<std::string_view, 4> kFilters{"nearest", "bilinear", "mipmap-nearest", "trilinear"};
 constexpr std::array<std::string_view, 3> kWraps{"repeat", "clamp", "mirror"};
+constexpr std::array<std::string_view, 2> kLevelRules{"derivatives", "distance"}, kFacets{"beckmann", "gaussian"};
 constexpr std::array<std::string_view, 4> kPatterns{"checker", "random-squares", "wood", "marble"};
 constexpr std::array<std::string_view, 2> kMappings{"surface", "sphere"};
 constexpr std::array<std::string_view, 5> kBumps{"height-texture", "normal-map", "waves", "orange", "rough"};
@@ -40,6 +41,7 @@ void mapping_keys(Keys& keys, Mapping& mapping) {
                  "is not perpendicular to the pole");
   });
   keys.pair({"repeat", "how many times the picture lies along u and v"}, mapping.repeat, {});
+  keys.require("repeat", mapping.repeat.x != 0 && mapping.repeat.y != 0, "is 0");
 }
 
 void bump_keys(Keys& keys, Bump& bump) {
@@ -81,6 +83,9 @@ void texture_keys(Keys& keys, Texture& texture) {
   keys.choice({"filter", "how texels become a colour"}, texture.filter, kFilters);
   keys.number({"anisotropy", "samples along a pixel's footprint, at most"}, texture.anisotropy, within(1, 16));
   keys.choice({"wrap", "what lies outside"}, texture.wrap, kWraps);
+  keys.choice({"level_rule", "which mipmap level: by a pixel's size on the texture, or by the distance d, log2(d / texel_distance)"}, texture.level_rule, kLevelRules);
+  keys.where("level_rule is distance", texture.level_rule == Texture::LevelRule::distance,
+             [&] { keys.number({"texel_distance", "where a texel is as large as a pixel, world units"}, texture.texel_distance, above(0)); });
 }
 
 void material_keys(Keys& keys, Material& material) {
@@ -93,11 +98,12 @@ void material_keys(Keys& keys, Material& material) {
   keys.where("model is not lambert", material.model != Model::lambert, [&] { keys.colour({"specular", "ks"}, material.specular); });
   keys.where("model is phong, blinn-phong or weighted-phong", has_exponent, [&] { keys.number({"exponent", "n of the highlight"}, material.exponent, at_least(0)); });
   keys.where("model is cook-torrance", is_cook_torrance, [&] {
-    keys.number({"roughness", "m, the root mean square slope of the facets"}, material.roughness, above(0));
+    keys.number({"roughness", "m, the root mean square slope of the facets"}, material.roughness, within(1e-3, 1e3));
+    keys.choice({"facets", "how many are tilted by an angle"}, material.facets, kFacets);
     keys.flag({"divided_by_pi", "as the notes print it; false: by 4, as later derived"}, material.divided_by_pi);
   });
   keys.where("model is weighted-phong or cook-torrance", is_cook_torrance || material.model == Model::weighted_phong,
-             [&] { keys.colour({"refractive_index", "of Fresnel's formula, each channel"}, material.refractive_index, above(0)); });
+             [&] { keys.colour({"refractive_index", "of Fresnel's formula, each channel"}, material.refractive_index, within(1e-3, 1e3)); });
   keys.name({"texture", "of kd; one of `textures`"}, material.texture, NameOf::texture);
   keys.object({"pattern", "of kd, where there is no texture"}, material.pattern, pattern_keys);
   keys.require("pattern", !material.pattern || material.texture.empty(), "is there beside a texture");

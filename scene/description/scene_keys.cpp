@@ -49,20 +49,30 @@ void motion_keys(Keys& keys, CameraMotion& motion) {
 
 void shadow_keys(Keys& keys, Shadow& shadow) {
   keys.whole({"resolution", "texels of the depth map, each way"}, shadow.resolution, 1, 8192);
-  keys.number({"constant_bias", "subtracted from depths before they are compared, in depths of the map"}, shadow.constant_bias, within(-1, 1));
-  keys.number({"slope_bias", "the same in texels of the map, times the tangent of the light's angle to the normal"}, shadow.slope_bias, within(-1000, 1000));
-  keys.number({"normal_offset", "world units that points are moved along their normal, times the sine of that angle"}, shadow.normal_offset);
-  keys.whole({"taps", "comparisons each way, whose mean is taken"}, shadow.taps, 1, 3);
+  keys.number({"constant_bias", "moves points towards the light before they are compared, world units"}, shadow.constant_bias, at_least(0));
+  keys.number({"slope_bias", "the same, in heights that clear the depths of a texel"}, shadow.slope_bias, at_least(0));
+  keys.number({"normal_offset", "moves points along their normal, in such heights"}, shadow.normal_offset, at_least(0));
+  keys.whole({"taps", "texels each way that are compared, whose mean is taken"}, shadow.taps, 1, 8);
+}
+
+void projection_keys(Keys& keys, Projection& projection) {
+  keys.name({"texture", "one of `textures`", true}, projection.texture, NameOf::texture);
+  keys.vector({"up", "of the picture"}, projection.up);
+  keys.number({"fovy_degrees", "of a point or spot: its vertical opening"}, projection.fovy_degrees, inside(0, 180));
+  keys.number({"height", "of a directional light: world units"}, projection.height, above(0));
 }
 
 void sky_keys(Keys& keys, Sky& sky) {
-  keys.colour({"zenith", "colour straight above"}, sky.zenith);
-  keys.colour({"horizon", "colour at the horizon"}, sky.horizon);
-  keys.colour({"ground", "colour below the horizon"}, sky.ground);
   keys.vector({"sun_towards", "the direction to the sun"}, sky.sun_towards);
   keys.require("sun_towards", sky.sun_towards != glm::dvec3(0), "is no direction");
   keys.number({"sun_degrees", "its diameter as it is seen"}, sky.sun_degrees, inside(0, 90));
   keys.colour({"sun", "its radiance"}, sky.sun);
+  keys.colour({"glow", "around the sun, falling off with the angle"}, sky.glow);
+  keys.colour({"zenith", "straight above"}, sky.zenith);
+  keys.colour({"horizon", "at the horizon"}, sky.horizon);
+  keys.colour({"ground", "below the horizon"}, sky.ground);
+  keys.number({"cloudiness", "share of the sky under clouds"}, sky.cloudiness, within(0, 1));
+  keys.seed({"seed", "of the clouds"}, sky.seed);
 }
 
 void object_keys(Keys& keys, Object& object) {
@@ -129,9 +139,9 @@ void light_keys(Keys& keys, Light& light) {
     keys.require("full_cone_degrees", light.full_cone_degrees <= light.cone_degrees, "is more than cone_degrees");
   });
   keys.where("type is not area", light.kind != Kind::area, [&] {
-    keys.vector({"look_at", "the point on a spot's axis; where the middle of a projected picture falls"}, light.look_at);
+    keys.vector({"look_at", "the point that a spot's axis, or a projection's, goes through"}, light.look_at);
     keys.require("look_at", light.kind == Kind::directional || light.look_at != light.position, "is where the light is");
-    keys.name({"projected_texture", "a picture that it throws; one of `textures`"}, light.projected_texture, NameOf::texture);
+    keys.object({"projection", "a picture that it throws, as a slide projector does"}, light.projection, projection_keys);
   });
   keys.where("type is area", light.kind == Kind::area, [&] {
     keys.vector({"edge_u", "one side of the parallelogram"}, light.edge_u);

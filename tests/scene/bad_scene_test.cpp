@@ -67,7 +67,7 @@ TEST_CASE("scene file: values of the wrong kind or out of range are refused", "[
   check_refused_scenes({
       {"{\n\"materials\": {\n\"red\": {\n\"exponent\": -3\n}}}", "4: materials.red.exponent is -3, but must be 0 or more"},
       {"{\"materials\": {\"red\": {\"exponent\": \"10\"}}}", "1: materials.red.exponent is a text, but must be a number"},
-      {"{\"materials\": {\"red\": {\"roughness\": 0, \"model\": \"cook-torrance\"}}}", "1: materials.red.roughness is 0, but must be more than 0"},
+      {"{\"materials\": {\"red\": {\"roughness\": 0, \"model\": \"cook-torrance\"}}}", "1: materials.red.roughness is 0, but must be from 0.001 to 1000"},
       {"{\"materials\": {\"red\": {\"alpha\": 1.5}}}", "1: materials.red.alpha is 1.5, but must be from 0 to 1"},
       {"{\"materials\": {\"red\": {\"diffuse\": [1, 2]}}}", "1: materials.red.diffuse is a list of 2, but must be a number or a list of 3 numbers"},
       {"{\"materials\": {\"red\": {\"diffuse\": [1,\n -2, 3]}}}", "2: materials.red.diffuse[1] is -2, but must be 0 or more"},
@@ -102,7 +102,7 @@ TEST_CASE("scene file: names of what is not there are refused", "[scene][scene_f
       {"{\"objects\": [{\"shape\": {\"type\": \"cube\"},\n\"material\": \"red\"}]}", "2: objects[0].material is 'red', but there is no material of that name"},
       {"{\"materials\": {\"red\": {\"texture\": \"wall\"}}}", "1: materials.red.texture is 'wall', but there is no texture of that name"},
       {"{\"materials\": {\"red\": {\"bump\": {\"type\": \"normal-map\", \"texture\": \"n\"}}}}", "1: materials.red.bump.texture is 'n', but there is no texture of that name"},
-      {"{\"lights\": [{\"type\": \"point\", \"projected_texture\": \"slide\"}]}", "1: lights[0].projected_texture is 'slide', but there is no texture of that name"},
+      {"{\"lights\": [{\"type\": \"point\", \"projection\": {\"texture\": \"slide\"}}]}", "1: lights[0].projection.texture is 'slide', but there is no texture of that name"},
   });
 }
 

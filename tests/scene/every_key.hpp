@@ -12,14 +12,14 @@ inline constexpr const char* kEveryKey = R"({
                 {"type": "turn", "pitch_degrees": 1, "yaw_degrees": 2, "roll_degrees": 3}]},
   "ambient": 0.3,
   "lights": [
-    {"type": "directional", "name": "sun", "towards": [1, 2, 3], "intensity": [1, 0.9, 0.8], "look_at": [0, 0, 1], "projected_texture": "slide",
+    {"type": "directional", "name": "sun", "towards": [1, 2, 3], "intensity": [1, 0.9, 0.8], "look_at": [0, 0, 1], "projection": {"texture": "slide", "up": [0, 0, 1], "fovy_degrees": 30, "height": 2},
      "shadow": {"resolution": 512, "constant_bias": 0.001, "slope_bias": 1.5, "normal_offset": 0.01, "taps": 3}},
     {"type": "point", "position": [1, 4, 1], "falloff": "inverse-square"},
     {"type": "spot", "position": [-1, 4, 1], "look_at": [0, 0, 0.5], "cone_degrees": 40, "full_cone_degrees": 20, "falloff": "linear", "falloff_distance": 2},
     {"type": "area", "position": [0, 5, 0], "edge_u": [1, 0, 1], "edge_v": [-1, 0, 1], "samples": 3}],
   "textures": {
     "slide": {"source": "checker", "size": 64, "squares": 4, "first": [1, 0, 0], "second": [0, 0, 1], "filter": "bilinear", "wrap": "clamp"},
-    "wall": {"source": "file", "file": "wall.png", "encoding": "linear", "filter": "mipmap-nearest", "anisotropy": 4, "wrap": "mirror"},
+    "wall": {"source": "file", "file": "wall.png", "encoding": "linear", "filter": "mipmap-nearest", "anisotropy": 4, "wrap": "mirror", "level_rule": "distance", "texel_distance": 3},
     "levels": {"source": "gradient", "level_colours": true, "filter": "nearest"},
     "squares": {"source": "random-squares", "seed": 7, "filter": "trilinear", "wrap": "repeat"}},
   "materials": {
@@ -29,11 +29,11 @@ inline constexpr const char* kEveryKey = R"({
     "lacquer": {"model": "blinn-phong", "pattern": {"type": "wood", "seed": 3, "turbulence": 0.2, "placement": [{"translate": [0, 1, 0]}]},
                 "bump": {"type": "orange", "seed": 5}, "mirror": 0.2},
     "glazed": {"model": "weighted-phong", "refractive_index": 1.3, "pattern": {"type": "marble"}, "bump": {"type": "normal-map", "texture": "squares"}},
-    "gold": {"model": "cook-torrance", "specular": 1, "roughness": 0.2, "refractive_index": [0.5, 0.6, 1.2], "divided_by_pi": false,
+    "gold": {"model": "cook-torrance", "specular": 1, "roughness": 0.2, "facets": "gaussian", "refractive_index": [0.5, 0.6, 1.2], "divided_by_pi": false,
              "texture": "squares", "mapping": {"type": "sphere", "pole": [0, 0, 1], "equator": [0, 1, 0]}, "bump": {"type": "height-texture", "texture": "levels"}},
     "rough": {"pattern": {"type": "random-squares"}, "bump": {"type": "rough"}}},
   "environment": {"source": "sky", "resolution": 64, "look_up": "panorama", "rotation_degrees": 30, "shown": false,
-    "sky": {"zenith": [0, 0, 1], "horizon": 0.8, "ground": 0.1, "sun_towards": [0, 1, 1], "sun_degrees": 3, "sun": 10}},
+    "sky": {"zenith": [0, 0, 1], "horizon": 0.8, "ground": 0.1, "sun_towards": [0, 1, 1], "sun_degrees": 3, "sun": 10, "glow": 1, "cloudiness": 0, "seed": 2}},
   "objects": [
     {"name": "floor", "shape": {"type": "plane", "width": 10, "depth": 8, "segments": [2, 3]}, "material": "mat", "casts_shadow": false, "seen_in_environment": false},
     {"shape": {"type": "cube", "size": [1, 2, 3], "segments": 2}, "material": "plastic", "normals": "facet", "shading": "flat"},
