@@ -221,4 +221,9 @@ Result<Texture> Texture::create_cube(std::span<const Image<Rgba8>, 6> faces, Tex
                              .with_mipmaps = with_mipmaps}, faces);
 }
 
+Result<Texture> Texture::create_cube(std::span<const Image<Rgba32F>, 6> faces, bool with_mipmaps) {
+  return create_from<Rgba32F>({.kind = TextureKind::cube, .format = TextureFormat::rgba32f, .width = faces[0].width(), .height = faces[0].height(),
+                               .with_mipmaps = with_mipmaps}, faces);
+}
+
 }  // namespace tuberia

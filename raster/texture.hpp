@@ -60,6 +60,7 @@ class Texture {
   static Result<Texture> create_3d(std::span<const Image<Rgba8>> slices, TextureEncoding encoding, bool with_mipmaps = true);
   /// Faces +x, -x, +y, -y, +z, -z, all squares of one size; see raster/cube_map.hpp.
   static Result<Texture> create_cube(std::span<const Image<Rgba8>, 6> faces, TextureEncoding encoding, bool with_mipmaps = true);
+  static Result<Texture> create_cube(std::span<const Image<Rgba32F>, 6> faces, bool with_mipmaps = true);
   /// All zeros: to be filled by `replace` or copy_to_texture, and generate_mipmaps.
   static Result<Texture> create_empty(const TextureShape& shape);
 

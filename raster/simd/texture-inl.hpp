@@ -38,6 +38,10 @@ Vec4<Float<P>> sample_lanes(const Texture& texture, const Sampler& sampler, Floa
 template <Precision P>
 void sample_any_lanes(const Texture& texture, const Sampler& sampler, const float* at, std::uint32_t live, float* rgba);
 
+/// The same at a given level of detail. at: kLanes each of s, t, r and the level.
+template <Precision P>
+void sample_any_lanes_at_level(const Texture& texture, const Sampler& sampler, const float* at, std::uint32_t live, float* rgba);
+
 /// What sample_lanes can do by itself.
 HWY_INLINE bool is_everyday(const Texture& texture, const Sampler& sampler) {
   return texture.is_rectangle_of_codes() && !(sampler.max_anisotropy > 1);
@@ -73,6 +77,20 @@ HWY_INLINE Vec4<Float<P>> sample(const Texture& texture, const Sampler& sampler,
   store(at.z, coordinates + 2 * kLanes);
   store(reference, coordinates + 3 * kLanes);
   sample_any_lanes<sampling_precision(P)>(texture, sampler, coordinates, bits_of(live), rgba);
+  return {load<F>(rgba), load<F>(rgba + kLanes), load<F>(rgba + 2 * kLanes), load<F>(rgba + 3 * kLanes)};
+}
+
+/// The same at a level of detail that the program has worked out, in place of the quad's derivatives; the
+/// sampler's bias and bounds still apply. One sample, however anisotropic the sampler. Depths are not compared.
+template <Precision P>
+HWY_INLINE Vec4<Float<P>> sample_at_level(const Texture& texture, const Sampler& sampler, Vec3<Float<P>> at, Float<P> level, Mask live) {
+  using F = Float<P>;
+  alignas(64) float coordinates[4 * kLanes], rgba[4 * kLanes];
+  store(at.x, coordinates);
+  store(at.y, coordinates + kLanes);
+  store(at.z, coordinates + 2 * kLanes);
+  store(level, coordinates + 3 * kLanes);
+  sample_any_lanes_at_level<sampling_precision(P)>(texture, sampler, coordinates, bits_of(live), rgba);
   return {load<F>(rgba), load<F>(rgba + kLanes), load<F>(rgba + 2 * kLanes), load<F>(rgba + 3 * kLanes)};
 }
 

@@ -182,6 +182,18 @@ template void sample_any_lanes<Precision::fused_multiply_add>(const Texture&, co
 template void sample_any_lanes<Precision::fast_power>(const Texture&, const Sampler&, const float*, std::uint32_t, float*);
 template void sample_any_lanes<Precision::fast>(const Texture&, const Sampler&, const float*, std::uint32_t, float*);
 
+template <Precision P>
+void sample_any_lanes_at_level(const Texture& texture, const Sampler& sampler, const float* at, std::uint32_t live, float* rgba) {
+  using F = Float<P>;
+  const Place<F> place{load_triple<F>(at), F(0.0f)};
+  store_colour(sample_mixed(texture, sampler, place, load<F>(at + 3 * kLanes), mask_of(live)), rgba);
+}
+
+template void sample_any_lanes_at_level<Precision::exact>(const Texture&, const Sampler&, const float*, std::uint32_t, float*);
+template void sample_any_lanes_at_level<Precision::fused_multiply_add>(const Texture&, const Sampler&, const float*, std::uint32_t, float*);
+template void sample_any_lanes_at_level<Precision::fast_power>(const Texture&, const Sampler&, const float*, std::uint32_t, float*);
+template void sample_any_lanes_at_level<Precision::fast>(const Texture&, const Sampler&, const float*, std::uint32_t, float*);
+
 /// Up to kLanes lookups, side by side.
 struct LookupLanes {
   alignas(64) float at[3 * kLanes], dx[3 * kLanes], dy[3 * kLanes], reference[kLanes], level[kLanes];
