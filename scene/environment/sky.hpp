@@ -10,7 +10,7 @@ namespace tuberia {
 
 /// World space, y up; radiances linear RGB, of the sun far above 1.
 struct Sky {
-  glm::dvec3 towards_sun{0.3, 0.5, -0.8};       // of any length but 0
+  glm::dvec3 towards_sun{0.3, 0.5, -0.8};      // of any length but 0
   double sun_radius_radians = 0.02;             // of the disc; the real one's is 0.0047
   glm::dvec3 sun{160, 140, 105};
   glm::dvec3 glow{1.1, 0.85, 0.55};             // around the sun, falling off with the angle
