@@ -30,6 +30,8 @@ struct MeshView {
   std::span<const float> fog_coordinates{};           // empty: clip w, the distance along the view in a perspective
   std::span<const std::uint8_t> edge_flags{};         // 0: the edge that begins at this vertex is not drawn in line or point mode
   std::span<const std::uint32_t> indices{}; // empty: the vertices in the order of their arrival
+  // dp/du and dp/dv of the texture coordinates [A 1.2]: their lengths count; empty, or one a vertex.
+  std::span<const glm::vec3> tangents{}, bitangents{};
 
   std::size_t vertex_count() const noexcept {
     return !screen_positions.empty() ? screen_positions.size() : !clip_positions.empty() ? clip_positions.size() : positions.size();

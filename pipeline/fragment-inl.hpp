@@ -57,32 +57,13 @@ struct TriangleAttributes {
   }
 };
 
-/// The argument of a program's shade(). Attributes are computed where they are asked for.
-template <class Program, class F>
-class Fragment {
+/// What reads textures for a register of fragments, some of which are live.
+template <class F>
+class TextureReader {
  public:
   using Number = F;
-  using Attribs = TriangleAttributes<Program>;
 
-  HWY_INLINE Fragment(const Attribs& attributes, Mask live, LevelGuess& guess) : attributes_(attributes), live_(live), guess_(guess) {}
-  HWY_INLINE void set_weights(F weight1, F weight2) {
-    weight_[0] = weight1;
-    weight_[1] = weight2;
-  }
-
-  HWY_INLINE Vec3<F> position() const { return triple<Attributes::position>(); }  // world space
-  HWY_INLINE Vec3<F> normal() const { return triple<Attributes::normal>(); }      // not unit
-  HWY_INLINE Vec2<F> texcoord() const {
-    constexpr int at = offset<Attributes::texcoord>();
-    return {scalar(at), scalar(at + 1)};
-  }
-  HWY_INLINE Vec4<F> colour() const { return quadruple<Attributes::colour>(); }
-  HWY_INLINE Vec4<F> custom() const { return quadruple<Attributes::custom>(); }
-  /// (s, t, r, q) of texture unit kUnit, not yet divided by q.
-  template <int kUnit>
-  HWY_INLINE Vec4<F> texture_unit() const {
-    return quadruple<static_cast<Attributes>(static_cast<std::uint32_t>(Attributes::unit0) << kUnit)>();
-  }
+  HWY_INLINE TextureReader(Mask live, LevelGuess& guess) : live_(live), guess_(guess) {}
 
   /// The texture's colour at uv, filtered by the derivatives of uv over each quad of fragments.
   HWY_INLINE Vec4<F> sample(const Texture& texture, const Sampler& sampler, Vec2<F> uv) const {
@@ -102,12 +83,46 @@ class Fragment {
     return HWY_NAMESPACE::sample(texture, sampler, at, reference, live_);
   }
 
+  HWY_INLINE Mask live() const { return live_; }
+
+ protected:
+  Mask live_;
+  LevelGuess& guess_;
+};
+
+/// The argument of a program's shade(). Attributes are computed where they are asked for.
+template <class Program, class F>
+class Fragment : public TextureReader<F> {
+ public:
+  using Attribs = TriangleAttributes<Program>;
+
+  HWY_INLINE Fragment(const Attribs& attributes, Mask live, LevelGuess& guess) : TextureReader<F>(live, guess), attributes_(attributes) {}
+  HWY_INLINE void set_weights(F weight1, F weight2) {
+    weight_[0] = weight1;
+    weight_[1] = weight2;
+  }
+
+  HWY_INLINE Vec3<F> position() const { return triple<Attributes::position>(); }  // world space
+  HWY_INLINE Vec3<F> normal() const { return triple<Attributes::normal>(); }      // not unit
+  HWY_INLINE Vec3<F> tangent() const { return triple<Attributes::tangent>(); }      // dp/du, world space, not unit
+  HWY_INLINE Vec3<F> bitangent() const { return triple<Attributes::bitangent>(); }  // dp/dv
+  HWY_INLINE Vec2<F> texcoord() const {
+    constexpr int at = offset<Attributes::texcoord>();
+    return {scalar(at), scalar(at + 1)};
+  }
+  HWY_INLINE Vec4<F> colour() const { return quadruple<Attributes::colour>(); }
+  HWY_INLINE Vec4<F> custom() const { return quadruple<Attributes::custom>(); }
+  /// (s, t, r, q) of texture unit kUnit, not yet divided by q.
+  template <int kUnit>
+  HWY_INLINE Vec4<F> texture_unit() const {
+    return quadruple<static_cast<Attributes>(static_cast<std::uint32_t>(Attributes::unit0) << kUnit)>();
+  }
+
   /// Drops fragments: they change neither colour nor depth. Only for programs with may_discard.
   HWY_INLINE void discard(Mask dropped) {
     static_assert(Program::may_discard, "a program that discards says `static constexpr bool may_discard = true`");
-    live_ = live_ & !dropped;
+    this->live_ = this->live_ & !dropped;
   }
-  HWY_INLINE Mask live() const { return live_; }
 
  private:
   template <Attributes kOne>
@@ -131,8 +146,6 @@ class Fragment {
 
   const Attribs& attributes_;
   F weight_[2] = {F(0.0f), F(0.0f)};  // perspective-correct weights of vertices 1 and 2
-  Mask live_;
-  LevelGuess& guess_;
 };
 
 /// What a program derives from: nothing is read and nothing discarded unless it says so.
@@ -144,9 +157,9 @@ struct ProgramBase {
   static constexpr bool has_ingredients = false;
   /// Whether shade() returns the interpolated colour as it is and reads nothing else.
   static constexpr bool passes_colour_on = false;
-  /// Why a draw with these uniforms must be refused; null when it need not.
+  /// Why a draw with these uniforms must be refused; empty when it need not.
   template <class Uniforms>
-  static const char* refusal(const Uniforms&) { return nullptr; }
+  static Refusal refusal(const Uniforms&) { return {}; }
 };
 
 }  // namespace HWY_NAMESPACE

@@ -3,10 +3,12 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <utility>
 
+#include "base/result.hpp"
 #include "raster/attributes.hpp"
 #include "raster/fragment_block.hpp"
 #include "raster/instruction_set.hpp"
@@ -14,6 +16,12 @@
 #include "raster/tile_visibility.hpp"
 
 namespace tuberia {
+
+using Refusal = std::optional<Error>;  // empty: nothing is wrong
+
+/// A program may refuse in a fixed sentence, or null, as well.
+inline Refusal as_refusal(Refusal refusal) { return refusal; }
+inline Refusal as_refusal(const char* sentence) { return sentence != nullptr ? Refusal(Error{sentence}) : Refusal(); }
 
 /// All that a tile loop needs beside its tile.
 struct FragmentJob {
@@ -40,7 +48,7 @@ struct ProgramInterface {
   const ProgramKernels& (*kernels)(InstructionSet, Precision) = nullptr;
   bool may_discard = false;
   bool has_ingredients = false;  // kernels for each ingredient of Precision::fast alone
-  const char* (*refusal)(const void* uniforms) = nullptr;  // why these cannot be drawn with; null if they can
+  Refusal (*refusal)(const void* uniforms) = nullptr;  // why these cannot be drawn with; empty if they can
 
   constexpr Attributes attributes() const noexcept { return interpolated | flat; }
 };

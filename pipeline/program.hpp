@@ -49,9 +49,9 @@
         },                                                                                 \
         .may_discard = HWY_NAMESPACE::PROGRAM::may_discard,                                \
         .has_ingredients = HWY_NAMESPACE::PROGRAM::has_ingredients,                        \
-        .refusal = [](const void* uniforms) -> const char* {                               \
+        .refusal = [](const void* uniforms) -> Refusal {                                   \
           using Program = HWY_NAMESPACE::PROGRAM;                                          \
-          return Program::refusal(*static_cast<const Program::Uniforms*>(uniforms));       \
+          return as_refusal(Program::refusal(*static_cast<const Program::Uniforms*>(uniforms))); \
         }};                                                                                \
     return kInterface;                                                                     \
   }                                                                                        \

@@ -4,12 +4,12 @@
 #include <array>
 #include <cstdint>
 #include <glm/mat4x4.hpp>
-#include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <optional>
 
 #include "math/fixed_point.hpp"
 #include "math/spaces.hpp"
+#include "pipeline/lighting.hpp"
 #include "raster/attributes.hpp"
 #include "raster/blend_state.hpp"
 #include "raster/block.hpp"
@@ -27,37 +27,6 @@ namespace tuberia {
 enum class Topology : std::uint8_t { triangles, triangle_strip, triangle_fan, lines, line_strip, line_loop, points };
 
 constexpr bool makes_triangles(Topology topology) noexcept { return topology <= Topology::triangle_fan; }
-
-/// A light of the local model [B 2.1].
-struct Light {
-  enum class Kind : std::uint8_t { directional, point };
-  Kind kind = Kind::directional;
-  glm::vec3 towards{0, 0, 1};        // directional: unit vector to the light; point: its position; world space
-  glm::vec3 intensity{1};            // Ip, linear RGB
-  bool operator==(const Light&) const = default;
-};
-
-/// What a program that lights fragments does with the interpolated normal, which is shorter than 1:
-/// makes it unit; takes one step of Newton's method towards that, n (3 - n.n) / 2; or leaves it.
-enum class NormalInterpolation : std::uint8_t { renormalized, one_step, not_renormalized };
-
-/// The local model's constants [B 2-4, 2-7]: I = ambient + sum over the lights of
-/// Ip * (diffuse (N.L) + specular (R.V)^shininess), or (N.H) instead of (R.V).
-struct Lighting {
-  static constexpr int kMaxLights = 4;
-  glm::vec3 ambient{0.1f};           // ka * Ia, linear RGB
-  glm::vec3 diffuse{0.8f};           // kd
-  glm::vec3 specular{0};             // ks
-  float shininess = 32;              // n, >= 0
-  float alpha = 1;                   // of the result
-  bool halfway = true;               // Blinn's N.H; false: Phong's R.V
-  bool two_sided = false;            // light the side that faces the eye
-  glm::vec3 eye{0, 0, 1};            // world space
-  std::array<Light, kMaxLights> lights{};
-  int light_count = 1;               // 0..kMaxLights
-  NormalInterpolation normals = NormalInterpolation::renormalized;  // at fragments
-  bool operator==(const Lighting&) const = default;
-};
 
 /// Where a texture coordinate comes from. object_linear and eye_linear: the product of `plane` with
 /// the object- or view-space position (x, y, z, 1). The maps use the unit vector u from the eye to

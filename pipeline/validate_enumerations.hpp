@@ -3,6 +3,7 @@
 // do not have.
 
 #include "pipeline/refusal.hpp"
+#include "pipeline/state.hpp"
 
 namespace tuberia {
 

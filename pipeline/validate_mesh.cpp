@@ -66,7 +66,8 @@ Refusal check_lengths(const MeshView& mesh) {
   const std::pair<const char*, std::size_t> arrays[] = {
       {"normals", mesh.normals.size()}, {"texture coordinates", mesh.texcoords.size()}, {"colours", mesh.colours.size()},
       {"custom attributes", mesh.custom.size()}, {"back colours", mesh.back_colours.size()},
-      {"fog coordinates", mesh.fog_coordinates.size()}, {"edge flags", mesh.edge_flags.size()}};
+      {"fog coordinates", mesh.fog_coordinates.size()}, {"edge flags", mesh.edge_flags.size()},
+      {"tangents", mesh.tangents.size()}, {"bitangents", mesh.bitangents.size()}};
   for (const auto& [name, length] : arrays)
     if (auto refusal = check_length(name, length, vertices)) return refusal;
   for (std::size_t unit = 0; unit < mesh.unit_texcoords.size(); ++unit) {
@@ -80,7 +81,7 @@ Refusal check_lighting(const MeshView& mesh, const std::optional<Lighting>& ligh
   if (!lighting) return {};
   if (mesh.normals.empty()) return Error{name + " needs normals, which the mesh does not have"};
   if (!mesh.screen_positions.empty()) return Error{name + " needs positions in the world, but the mesh has screen_positions"};
-  if (const char* refusal = refusal_of(*lighting)) return Error{name + ": " + refusal};
+  if (const Refusal refusal = refusal_of(*lighting)) return Error{name + ": " + refusal->message};
   return {};
 }
 
@@ -98,8 +99,8 @@ Refusal check_mesh(const MeshView& mesh, Workers& workers) {
 Refusal check_program(const DrawCall& draw) {
   if (!draw.program.is_set()) return Error{"the draw has no fragment program"};
   const ProgramInterface& program = draw.program.interface();
-  if (const char* refusal = program.refusal(draw.program.uniforms()))
-    return Error{"program '" + std::string(program.name) + "': " + refusal};
+  if (const Refusal refusal = program.refusal(draw.program.uniforms()))
+    return Error{"program '" + std::string(program.name) + "': " + refusal->message};
   const MeshView& mesh = draw.mesh;
   const auto needs = [&](Attributes one, bool missing, const char* what) -> Refusal {
     if (!contains(program.attributes(), one) || !missing) return {};
@@ -109,6 +110,8 @@ Refusal check_program(const DrawCall& draw) {
   if (auto refusal = needs(Attributes::normal, mesh.normals.empty(), "normals")) return refusal;
   if (auto refusal = needs(Attributes::texcoord, mesh.texcoords.empty(), "texture coordinates")) return refusal;
   if (auto refusal = needs(Attributes::custom, mesh.custom.empty() && !draw.state.transform.vertex_cosines, "custom attributes")) return refusal;
+  if (auto refusal = needs(Attributes::tangent, mesh.tangents.empty(), "tangents")) return refusal;
+  if (auto refusal = needs(Attributes::bitangent, mesh.bitangents.empty(), "bitangents")) return refusal;
   const TransformState& transform = draw.state.transform;
   if (auto refusal = check_lighting(mesh, transform.vertex_lighting, "vertex lighting")) return refusal;
   if (auto refusal = check_lighting(mesh, transform.vertex_cosines, "vertex cosines")) return refusal;

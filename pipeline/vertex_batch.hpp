@@ -23,7 +23,7 @@ struct WorldVertices {
   std::vector<std::uint8_t> is_used;               // by slot
   std::vector<std::uint32_t> slots, sources;       // of those in use; sources are numbers in the mesh
   int count = 0, pitch = 0;
-  AlignedVector<float> points, normals, colours;
+  AlignedVector<float> points, normals, tangents, colours;
 };
 
 /// Vertices, an array for each coordinate. A vertex's number here is its slot. Slots from

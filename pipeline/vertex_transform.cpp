@@ -181,6 +181,16 @@ void VertexTransform::fill_in_world(const MeshView& mesh, bool with_points, bool
   }
 }
 
+void VertexTransform::turn_tangents(std::span<const glm::vec3> tangents, int offset, VertexBatch& batch) const {
+  if (tangents.empty()) return copy(tangents, glm::vec3(0), offset, batch);
+  WorldVertices& world = batch.world;
+  make_room(world.tangents, static_cast<std::size_t>(world.pitch) * 3);
+  glm::mat4 linear = state_.world_from_object;  // its part that turns directions
+  linear[3] = {0, 0, 0, 1};
+  kernels_.transform_points(&linear[0][0], triples(tangents), world.sources.data(), world.count, world.tangents.data());
+  scatter(world.tangents.data(), 3, offset, batch);
+}
+
 /// A face's colours: the surface's own, lit by `lighting` if there is any.
 void VertexTransform::fill_in_colours(const std::optional<Lighting>& lighting, std::span<const glm::vec4> surface,
                                       int offset, VertexBatch& batch) const {
@@ -215,6 +225,8 @@ void VertexTransform::attributes(const MeshView& mesh, Attributes wanted, const 
   const auto offset = [&](Attributes one) { return scalar_offset(wanted, one); };
   if (contains(wanted, Attributes::position)) scatter(world.points.data(), 3, offset(Attributes::position), batch);
   if (contains(wanted, Attributes::normal)) scatter(world.normals.data(), 3, offset(Attributes::normal), batch);
+  if (contains(wanted, Attributes::tangent)) turn_tangents(mesh.tangents, offset(Attributes::tangent), batch);
+  if (contains(wanted, Attributes::bitangent)) turn_tangents(mesh.bitangents, offset(Attributes::bitangent), batch);
   if (contains(wanted, Attributes::texcoord)) copy(mesh.texcoords, glm::vec2(0), offset(Attributes::texcoord), batch);
   if (has_cosines) fill_in_cosines(offset(Attributes::custom), batch);
   else if (contains(wanted, Attributes::custom)) copy(mesh.custom, glm::vec4(0), offset(Attributes::custom), batch);

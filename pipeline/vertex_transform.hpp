@@ -19,7 +19,7 @@ class VertexTransform {
   void positions(const MeshView& mesh, VertexBatch& batch) const;
 
   /// The attributes in `wanted` of the vertices that the primitives use: positions and normals to
-  /// world space, colours lit (and multiplied with the mesh's) when the state says so, the rest as it is; those that clipping made
+  /// world space, tangents, too, without being made unit, colours lit (and multiplied with the mesh's) when the state says so, the rest as it is; those that clipping made
   /// are interpolated from theirs. An attribute the mesh lacks is white, for a colour, or 0. With two-sided
   /// colours there are records for the back faces, too, batch.back_slots further on.
   void attributes(const MeshView& mesh, Attributes wanted, const TriangleBatch& triangles, VertexBatch& batch,
@@ -37,6 +37,7 @@ class VertexTransform {
   void fill_in_colours(const std::optional<Lighting>& lighting, std::span<const glm::vec4> surface, int offset,
                        VertexBatch& batch) const;
   void fill_in_cosines(int offset, VertexBatch& batch) const;
+  void turn_tangents(std::span<const glm::vec3> tangents, int offset, VertexBatch& batch) const;
   void add_back_faces(const MeshView& mesh, int offset, VertexBatch& batch) const;
 
   TransformState state_;

@@ -16,12 +16,13 @@ enum class Attributes : std::uint32_t {
   colour = 8,     // linear RGBA, 4 scalars
   custom = 16,    // 4 scalars of the application's own
   unit0 = 32, unit1 = 64, unit2 = 128, unit3 = 256,  // (s, t, r, q) of a texture unit, 4 scalars each
+  tangent = 512, bitangent = 1024,  // dp/du and dp/dv of the texture coordinates, world space, not unit, 3 scalars each
 };
-inline constexpr Attributes kLastAttribute = Attributes::unit3;
+inline constexpr Attributes kLastAttribute = Attributes::bitangent;
 
 inline constexpr int kTextureUnits = 4;
-inline constexpr std::array<int, 9> kAttributeScalars{3, 3, 2, 4, 4, 4, 4, 4, 4};
-inline constexpr int kMaxAttributeScalars = 32;
+inline constexpr std::array<int, 11> kAttributeScalars{3, 3, 2, 4, 4, 4, 4, 4, 4, 3, 3};
+inline constexpr int kMaxAttributeScalars = 38;
 
 constexpr Attributes operator|(Attributes a, Attributes b) noexcept {
   return static_cast<Attributes>(static_cast<std::uint32_t>(a) | static_cast<std::uint32_t>(b));
@@ -31,7 +32,7 @@ constexpr Attributes operator&(Attributes a, Attributes b) noexcept {
 }
 constexpr bool contains(Attributes set, Attributes one) noexcept { return (set & one) == one; }
 
-/// How many scalars a vertex of this set has; 0..32.
+/// How many scalars a vertex of this set has; 0..kMaxAttributeScalars.
 constexpr int scalar_count(Attributes set) noexcept {
   int count = 0;
   for (std::size_t i = 0; i < kAttributeScalars.size(); ++i)

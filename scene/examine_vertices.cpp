@@ -44,6 +44,8 @@ void examine_arrays(Examination& e) {
   if (!reads(e.smallest, Attributes::texcoord) && !reads_units) mesh.texcoords = {};
   if (!reads(e.smallest, Attributes::colour) || !e.found.needs(Feature::shading)) mesh.colours = {};
   if (!reads(e.smallest, Attributes::custom)) mesh.custom = {};
+  if (!reads(e.smallest, Attributes::tangent)) mesh.tangents = {};
+  if (!reads(e.smallest, Attributes::bitangent)) mesh.bitangents = {};
   if (!e.found.needs(Feature::two_sided_colours)) mesh.back_colours = {};
   if (!reads_units) {
     mesh.unit_texcoords = {};

@@ -56,7 +56,7 @@ std::string_view name_of(Feature feature) noexcept { return kNames[static_cast<s
 
 std::string words_of(Attributes attributes) {
   constexpr std::array<const char*, kAttributeScalars.size()> kWords{"position", "normal", "texture coordinates", "colour", "custom",
-                                                                     "unit 0", "unit 1", "unit 2", "unit 3"};
+                                                                     "unit 0", "unit 1", "unit 2", "unit 3", "tangent", "bitangent"};
   std::string words;
   for (std::size_t i = 0; i < kWords.size(); ++i)
     if (contains(attributes, static_cast<Attributes>(1u << i))) words += (words.empty() ? "" : ", ") + std::string(kWords[i]);

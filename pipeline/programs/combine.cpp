@@ -2,8 +2,9 @@
 
 #include "pipeline/programs/combine.hpp"
 
-#include <cmath>
-#include <cstdio>
+#include <string>
+
+#include "pipeline/refusal.hpp"
 
 namespace tuberia {
 namespace {
@@ -23,12 +24,15 @@ bool is_known(const Combine& combine) {
 
 bool is_scale(int scale) { return scale == 1 || scale == 2 || scale == 4; }
 
-/// The text that the caller of a refusal copies at once.
-template <class... Values>
-const char* sentence(const char* format, Values... values) {
-  static thread_local char text[160];
-  std::snprintf(text, sizeof text, format, values...);
-  return text;
+Refusal refusal_of_unit(const TextureUnit& unit) {
+  if (!is_known(unit.colour) || !is_known(unit.alpha)) return Error{"a function, source or operand is none of its enumeration"};
+  if (!is_scale(unit.colour.scale)) return Error{"the colour's scale is " + std::to_string(unit.colour.scale) + ", but can be 1, 2 or 4"};
+  if (!is_scale(unit.alpha.scale)) return Error{"the alpha's scale is " + std::to_string(unit.alpha.scale) + ", but can be 1, 2 or 4"};
+  if (unit.alpha.function >= CombineFunction::dot3_rgb) return Error{"dot3 is no function of alpha"};
+  for (const float channel : {unit.constant.r, unit.constant.g, unit.constant.b, unit.constant.a})
+    if (!in_unit(channel)) return Error{"the constant has a channel of " + words_of(channel) + ", outside [0, 1]"};
+  if (const char* refusal = refusal_of(unit.sampler)) return Error{refusal};
+  return {};
 }
 
 }  // namespace
@@ -53,20 +57,12 @@ CombinePair add_environment() noexcept {
   return {{.function = CombineFunction::add, .argument = {kPrevious, kTexture, kConstant}}, kProduct};
 }
 
-const char* refusal_of(const FixedFunctionUniforms& uniforms) {
-  for (int number = 0; number < kTextureUnits; ++number) {
-    const TextureUnit& unit = uniforms.units[static_cast<std::size_t>(number)];
-    if (!unit.texture) continue;
-    if (!is_known(unit.colour) || !is_known(unit.alpha))
-      return sentence("unit %d: a function, source or operand is none of its enumeration", number);
-    if (!is_scale(unit.colour.scale)) return sentence("unit %d: the colour's scale is %d, but can be 1, 2 or 4", number, unit.colour.scale);
-    if (!is_scale(unit.alpha.scale)) return sentence("unit %d: the alpha's scale is %d, but can be 1, 2 or 4", number, unit.alpha.scale);
-    if (unit.alpha.function >= CombineFunction::dot3_rgb) return sentence("unit %d: dot3 is no function of alpha", number);
-    for (const float channel : {unit.constant.r, unit.constant.g, unit.constant.b, unit.constant.a})
-      if (!in_unit(channel)) return sentence("unit %d: the constant has a channel of %g, outside [0, 1]", number, static_cast<double>(channel));
-    if (const char* refusal = refusal_of(unit.sampler)) return sentence("unit %d: %s", number, refusal);
-  }
-  return nullptr;
+Refusal refusal_of(const FixedFunctionUniforms& uniforms) {
+  for (std::size_t number = 0; number < uniforms.units.size(); ++number)
+    if (uniforms.units[number].texture)
+      if (const Refusal refusal = refusal_of_unit(uniforms.units[number]))
+        return Error{"unit " + std::to_string(number) + ": " + refusal->message};
+  return {};
 }
 
 }  // namespace tuberia

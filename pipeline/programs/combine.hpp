@@ -5,8 +5,7 @@
 
 namespace tuberia {
 
-/// A sentence that names unit, field and value, or null. It stays as it is until the next refusal on
-/// the same thread.
-const char* refusal_of(const FixedFunctionUniforms& uniforms);
+/// A sentence that names unit, field and value.
+Refusal refusal_of(const FixedFunctionUniforms& uniforms);
 
 }  // namespace tuberia

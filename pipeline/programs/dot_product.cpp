@@ -10,8 +10,14 @@ TUBERIA_PROGRAM_BEGIN
 struct DotProduct : ProgramBase {
   using Uniforms = Lighting;
   static constexpr Attributes interpolated = Attributes::custom;
-  static const char* refusal(const Lighting& lighting) {
-    return lighting.light_count > 2 ? "it has cosines for two lights at most" : refusal_of(lighting);
+  static Refusal refusal(const Lighting& lighting) {
+    if (lighting.light_count > 2) return Error{"it has cosines for two lights at most"};
+    if (Refusal refusal = refusal_of(lighting)) return refusal;
+    // Whatever a cosine is multiplied with, its power is 1.
+    for (int i = 0; i < lighting.light_count && lighting.shininess == 0; ++i)
+      if (is_attenuated(lighting.lights[static_cast<std::size_t>(i)]) && lighting.specular != glm::vec3(0))
+        return Error{"shininess is 0, and lights[" + std::to_string(i) + "] has a falloff or a spot, which it cannot make such a highlight follow"};
+    return {};
   }
 
   template <class Fragment>

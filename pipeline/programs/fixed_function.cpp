@@ -87,7 +87,7 @@ struct FixedFunctionProgram : ProgramBase {
   using Uniforms = FixedFunctionUniforms;
   static constexpr std::uint32_t kUnitBits = ((1u << kUnits) - 1) * static_cast<std::uint32_t>(Attributes::unit0);
   static constexpr Attributes interpolated = Attributes::colour | static_cast<Attributes>(kUnitBits);
-  static const char* refusal(const Uniforms& uniforms) { return refusal_of(uniforms); }
+  static Refusal refusal(const Uniforms& uniforms) { return refusal_of(uniforms); }
 
   template <class Fragment>
   static HWY_INLINE auto shade(Fragment& in, const Uniforms& uniforms) {

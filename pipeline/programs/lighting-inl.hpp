@@ -7,8 +7,10 @@
 #define TUBERIA_PIPELINE_PROGRAMS_LIGHTING_INL
 #endif
 
+#include <algorithm>
+
+#include "pipeline/lighting.hpp"
 #include "pipeline/refusal.hpp"
-#include "pipeline/state.hpp"
 #include "raster/simd/elementary-inl.hpp"
 #include "raster/simd/vector-inl.hpp"
 
@@ -18,8 +20,8 @@ namespace HWY_NAMESPACE {
 
 /// The normal that a fragment is lit with, from the interpolated one.       [B 3.3] [FIX 7]
 template <class F>
-HWY_INLINE Vec3<F> fragment_normal(const Lighting& lighting, Vec3<F> interpolated) {
-  switch (lighting.normals) {
+HWY_INLINE Vec3<F> fragment_normal(NormalInterpolation normals, Vec3<F> interpolated) {
+  switch (normals) {
     case NormalInterpolation::renormalized: break;
     case NormalInterpolation::one_step: return interpolated * ((3.0f - dot(interpolated, interpolated)) * 0.5f);
     case NormalInterpolation::not_renormalized: return interpolated;
@@ -30,16 +32,21 @@ HWY_INLINE Vec3<F> fragment_normal(const Lighting& lighting, Vec3<F> interpolate
 /// Cosine of the angle between the mirror direction and the eye (Phong), or between the normal and
 /// the halfway vector (Blinn).                                                [B 2-7] [C]
 template <class F>
-HWY_INLINE F highlight_cosine(const Lighting& lighting, Vec3<F> n, Vec3<F> l, Vec3<F> v) {
-  return lighting.halfway ? dot(n, normalize(l + v)) : dot(-reflect(l, n), v);
+HWY_INLINE F highlight_cosine(bool halfway, Vec3<F> n, Vec3<F> l, Vec3<F> v) {
+  return halfway ? dot(n, normalize(l + v)) : dot(-reflect(l, n), v);
+}
+
+/// n, or where `side` is turned away from the eye, -n.
+template <class F>
+HWY_INLINE Vec3<F> turned_to(Vec3<F> side, Vec3<F> v, Vec3<F> n) {
+  const Mask away = dot(side, v) < 0.0f;
+  return {select(away, -n.x, n.x), select(away, -n.y, n.y), select(away, -n.z, n.z)};
 }
 
 /// n, or where it is turned away from the eye and the lighting two-sided, -n.
 template <class F>
 HWY_INLINE Vec3<F> facing_normal(const Lighting& lighting, Vec3<F> n, Vec3<F> v) {
-  if (!lighting.two_sided) return n;
-  const Mask away = dot(n, v) < 0.0f;
-  return {select(away, -n.x, n.x), select(away, -n.y, n.y), select(away, -n.z, n.z)};
+  return lighting.two_sided ? turned_to(n, v, n) : n;
 }
 
 /// Unit vector towards a light.
@@ -47,6 +54,28 @@ template <class F>
 HWY_INLINE Vec3<F> towards_light(const Light& light, Vec3<F> point) {
   const Vec3<F> towards(light.towards);
   return light.kind == Light::Kind::directional ? towards : normalize(towards - point);
+}
+
+/// Whether a light's intensity is not the same everywhere.
+HWY_INLINE bool is_attenuated(const Light& light) {
+  return light.kind == Light::Kind::spot || (light.kind == Light::Kind::point && light.falloff != Falloff::none);
+}
+
+/// What of such a light's intensity arrives at a point: falloff times the spot's share. l: unit, towards
+/// the light. Distances beyond 1e15 count as 1e15.                            [B 2-5, 2.6]
+template <class F>
+HWY_INLINE F attenuation(const Light& light, Vec3<F> l, Vec3<F> point) {
+  F share(1.0f);
+  if (light.falloff != Falloff::none) {
+    const Vec3<F> way = Vec3<F>(light.towards) - point;
+    const F squared = min(dot(way, way), 1e30f);
+    if (light.falloff == Falloff::linear) share = reciprocal(max(sqrt(squared) + light.falloff_distance, kLeastFalloffDistance));
+    else share = reciprocal(max(squared, kLeastFalloffDistance * kLeastFalloffDistance)) * 0.0795774715f;  // 1 / (4 pi)
+  }
+  if (light.kind != Light::Kind::spot) return share;
+  // An edge of no width has one of a millionth: smoothstep divides by it.
+  const float inner = std::max(light.cos_inner, light.cos_outer + 1e-6f);
+  return share * smoothstep(light.cos_outer, inner, -dot(l, Vec3<F>(light.axis)));
 }
 
 /// One light's share, from the cosines of light and highlight; the latter is only asked for where
@@ -71,7 +100,9 @@ HWY_INLINE Vec3<F> illuminate(const Lighting& lighting, Vec3<F> point, Vec3<F> n
   for (int i = 0; i < lighting.light_count; ++i) {
     const Light& light = lighting.lights[static_cast<std::size_t>(i)];
     const Vec3<F> l = towards_light(light, point);
-    sum = sum + reflected_light(lighting, light, diffuse, dot(n, l), [&]() HWY_ATTR { return highlight_cosine(lighting, n, l, v); });
+    Vec3<F> reflected = reflected_light(lighting, light, diffuse, dot(n, l), [&]() HWY_ATTR { return highlight_cosine(lighting.halfway, n, l, v); });
+    if (is_attenuated(light)) reflected = reflected * attenuation(light, l, point);
+    sum = sum + reflected;
   }
   return sum;
 }

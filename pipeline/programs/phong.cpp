@@ -11,13 +11,13 @@ struct Phong : ProgramBase {
   using Uniforms = Lighting;
   static constexpr Attributes interpolated = Attributes::position | Attributes::normal;
   static constexpr bool has_ingredients = true;
-  static const char* refusal(const Lighting& lighting) { return refusal_of(lighting); }
+  static Refusal refusal(const Lighting& lighting) { return refusal_of(lighting); }
 
   template <class Fragment>
   static HWY_INLINE auto shade(Fragment& in, const Lighting& lighting) {
     using F = typename Fragment::Number;
     const Vec3<F> point = in.position();
-    const Vec3<F> normal = fragment_normal(lighting, in.normal());
+    const Vec3<F> normal = fragment_normal(lighting.normals, in.normal());
     const Vec3<F> eye = normalize(Vec3<F>(lighting.eye) - point);
     const Vec3<F> colour = illuminate(lighting, point, normal, eye, Vec3<F>(lighting.diffuse));
     return Vec4<F>(colour, F(lighting.alpha));

@@ -10,7 +10,7 @@ struct TexturedProgram : ProgramBase {
   using Uniforms = TexturedUniforms;
   static constexpr Attributes interpolated = Attributes::texcoord;
   static constexpr bool may_discard = kCutOut;
-  static const char* refusal(const Uniforms& uniforms) { return uniforms.texture ? nullptr : "it has no texture"; }
+  static Refusal refusal(const Uniforms& uniforms) { return uniforms.texture ? Refusal() : Error{"it has no texture"}; }
 
   template <class Fragment>
   static HWY_INLINE auto shade(Fragment& in, const Uniforms& uniforms) {

@@ -9,7 +9,7 @@ struct TexturedGouraud : ProgramBase {
   using Uniforms = TexturedUniforms;
   static constexpr Attributes interpolated = Attributes::texcoord | Attributes::colour;
   static constexpr bool has_ingredients = true;
-  static const char* refusal(const Uniforms& uniforms) { return uniforms.texture ? nullptr : "it has no texture"; }
+  static Refusal refusal(const Uniforms& uniforms) { return uniforms.texture ? Refusal() : Error{"it has no texture"}; }
 
   template <class Fragment>
   static HWY_INLINE auto shade(Fragment& in, const Uniforms& uniforms) {

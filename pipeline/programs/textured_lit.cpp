@@ -13,8 +13,8 @@ struct TexturedLitProgram : ProgramBase {
   static constexpr Attributes interpolated = Attributes::position | Attributes::normal | Attributes::texcoord;
   static constexpr bool may_discard = kCutOut;
   static constexpr bool has_ingredients = !kCutOut;
-  static const char* refusal(const Uniforms& uniforms) {
-    return uniforms.texture ? refusal_of(uniforms.lighting) : "it has no texture";
+  static Refusal refusal(const Uniforms& uniforms) {
+    return uniforms.texture ? refusal_of(uniforms.lighting) : Error{"it has no texture"};
   }
 
   template <class Fragment>
@@ -25,7 +25,7 @@ struct TexturedLitProgram : ProgramBase {
 
     const Lighting& lighting = uniforms.lighting;
     const Vec3<F> point = in.position();
-    const Vec3<F> normal = fragment_normal(lighting, in.normal());
+    const Vec3<F> normal = fragment_normal(lighting.normals, in.normal());
     const Vec3<F> eye = normalize(Vec3<F>(lighting.eye) - point);
     // The surface reflects ambient light as it does the lights': by its own colour.
     const Vec3<F> direct = illuminate(lighting, point, normal, eye, texel.rgb() * Vec3<F>(lighting.diffuse));

@@ -27,6 +27,14 @@ inline void light_vertices(const Lighting& lighting, const float* points, const 
   }
 }
 
+/// Makes the cosines smaller, so that at the vertices light and highlight are as if the intensity were:
+/// the share s times c^n is (s^(1/n) c)^n.
+template <class F>
+HWY_INLINE void attenuate(const Lighting& lighting, F share, F& of_light, F& of_highlight) {
+  of_light = of_light * share;
+  if (lighting.shininess > 0) of_highlight = of_highlight * pow(share, F(1.0f / lighting.shininess));
+}
+
 inline void find_cosines(const Lighting& lighting, const float* points, const float* normals, int pitch, float* cosines) {
   using F = Float<Precision::exact>;
   const auto triple = [&](const float* arrays, int i) HWY_ATTR {
@@ -36,10 +44,13 @@ inline void find_cosines(const Lighting& lighting, const float* points, const fl
     const Vec3<F> point = triple(points, i);
     const Vec3<F> eye = normalize(Vec3<F>(lighting.eye) - point), normal = facing_normal(lighting, triple(normals, i), eye);
     for (int k = 0; k < 2; ++k) {
-      const Vec3<F> l = towards_light(lighting.lights[static_cast<std::size_t>(k)], point);
+      const Light& light = lighting.lights[static_cast<std::size_t>(k)];
+      const Vec3<F> l = towards_light(light, point);
       const bool is_on = k < lighting.light_count;
-      store(is_on ? dot(normal, l) : F(0.0f), cosines + 2 * k * pitch + i);
-      store(is_on ? highlight_cosine(lighting, normal, l, eye) : F(0.0f), cosines + (2 * k + 1) * pitch + i);
+      F of_light = is_on ? dot(normal, l) : F(0.0f), of_highlight = is_on ? highlight_cosine(lighting.halfway, normal, l, eye) : F(0.0f);
+      if (is_on && is_attenuated(light)) attenuate(lighting, attenuation(light, l, point), of_light, of_highlight);
+      store(of_light, cosines + 2 * k * pitch + i);
+      store(of_highlight, cosines + (2 * k + 1) * pitch + i);
     }
   }
 }

@@ -54,6 +54,48 @@ Interval highlight(const Lighting& lighting, const Triple& n, const Triple& l, c
   return power(cosine, static_cast<double>(lighting.shininess));
 }
 
+/// The length of a float vector, its square clamped to at most 1e30: three products, two sums, a root.
+Interval length_of(const Triple& v) {
+  double least = 0, most = 0;
+  for (const Interval& x : v) {
+    if (!x.is_known()) return {0, 1e15};
+    const Interval size = absolute(x);
+    least += size.low * size.low;
+    most += size.high * size.high;
+  }
+  const Interval length = widened({std::sqrt(least), std::sqrt(most)}, 0x1p-20);
+  return {std::clamp(length.low, 0.0, 1e15), std::clamp(length.high, 0.0, 1.000001e15)};
+}
+
+/// 1/(d + d0) or 1/(4 pi d^2); d + d0 and d are at least a millionth.
+Interval falloff(const Light& light, const Triple& way) {
+  constexpr double kPi = 3.14159265358979323846;
+  const Interval least = widened(1e-6, 0x1p-20), distance = length_of(way);
+  switch (light.falloff) {
+    case Falloff::none: break;
+    case Falloff::linear: return widened(Interval(1.0) / larger(distance + one_float(light.falloff_distance), least.low), 0x1p-20);
+    case Falloff::inverse_square: {
+      const Interval d{std::max(distance.low, least.low), std::max(distance.high, least.high)};
+      return widened({1 / (4 * kPi * d.high * d.high), 1 / (4 * kPi * d.low * d.low)}, 0x1p-20);
+    }
+  }
+  return 1.0;
+}
+
+/// 1 within the inner cone, 0 outside the outer one, t^2 (3 - 2t) between. The edge is at least a
+/// millionth wide, give or take what rounding makes of so small a difference of cosines.
+Interval within_cone(const Light& light, const Triple& l) {
+  const Triple axis = exact(light.axis);
+  const Interval cosine = -dot(l, axis);
+  if (!cosine.is_known()) return {0, 1};
+  const double outer = static_cast<double>(light.cos_outer), inner = static_cast<double>(light.cos_inner);
+  const double widest = std::max(inner, outer + 1.2e-6) - outer, narrowest = std::max(inner, outer + 0.9e-6) - outer;
+  const auto t_of = [&](double c) { return c >= outer ? (c - outer) / narrowest : (c - outer) / widest; };
+  const Interval t = clamped(widened({(cosine.low - outer) / (cosine.low >= outer ? widest : narrowest), t_of(cosine.high)}, 0x1p-20), 0, 1);
+  const auto smooth = [](double x) { return x * x * (3 - 2 * x); };
+  return clamped(widened({smooth(t.low), smooth(t.high)}, 0x1p-20), 0, 1);
+}
+
 Triple of_light(const Lighting& lighting, const Light& light, const Triple& point, const Triple& n, const Triple& v) {
   const Triple towards = exact(light.towards);
   const Triple l = light.is_point ? unit_of(towards - point) : towards;
@@ -65,6 +107,8 @@ Triple of_light(const Lighting& lighting, const Light& light, const Triple& poin
     if (cosine.low <= 0) strength = hull(strength, 0.0);  // below the surface there is none
     reflected = reflected + exact(lighting.specular) * strength;
   }
+  if (light.is_point) reflected = reflected * falloff(light, towards - point);
+  if (light.is_spot) reflected = reflected * within_cone(light, l);
   const Triple intensity = exact(light.intensity);
   return {intensity[0] * reflected[0], intensity[1] * reflected[1], intensity[2] * reflected[2]};
 }

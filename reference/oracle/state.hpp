@@ -137,10 +137,16 @@ struct TexCoordUnit {
   glm::mat4 matrix{1};
 };
 
-/// A light: a direction to it, as given, or its position; world space.
+/// A light: a direction to it, as given, or its position; world space. A point's intensity may fall off
+/// by 1/(d + falloff_distance) or 1/(4 pi d^2), and be kept within a cone around an axis.
+enum class Falloff { none, linear, inverse_square };
 struct Light {
-  bool is_point = false;
+  bool is_point = false, is_spot = false;  // a spot is a point, too
   glm::vec3 towards{0, 0, 1}, intensity{1};
+  Falloff falloff = Falloff::none;
+  float falloff_distance = 1;
+  glm::vec3 axis{0, 0, -1};
+  float cos_inner = 1, cos_outer = 1;
 };
 
 /// The local model at the vertices.

@@ -15,6 +15,17 @@ glm::vec3 random_direction(Dice& dice) {
   return dice.one_in(5) || length == 0 ? v : v / length;
 }
 
+/// Points may fall off, and be spots: with wide, narrow and no edges.
+void give_distance_and_cone(Dice& dice, oracle::Light& light) {
+  light.falloff = static_cast<oracle::Falloff>(dice.below(3));
+  constexpr float kDistances[] = {0, 1e-3f, 0.5f, 1, 4};
+  light.falloff_distance = kDistances[dice.below(5)];
+  light.is_spot = dice.one_in(2);
+  light.axis = random_direction(dice);
+  light.cos_outer = dice.one_in(6) ? -1 : dice.between(-0.5f, 0.95f);
+  light.cos_inner = dice.one_in(4) ? light.cos_outer : dice.between(light.cos_outer, 1);
+}
+
 oracle::Lighting lighting_at_random(Dice& dice) {
   oracle::Lighting lighting;
   lighting.ambient = random_triple(dice, 0, 0.3f);
@@ -31,6 +42,7 @@ oracle::Lighting lighting_at_random(Dice& dice) {
     light.is_point = dice.one_in(2);
     light.towards = light.is_point ? random_triple(dice, -3, 3) : random_direction(dice);
     light.intensity = random_triple(dice, 0, dice.one_in(4) ? 2.0f : 0.8f);
+    if (light.is_point && dice.one_in(2)) give_distance_and_cone(dice, light);
     lighting.lights.push_back(light);
   }
   return lighting;

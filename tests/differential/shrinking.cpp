@@ -144,6 +144,8 @@ void describe_lighting(std::ostream& out, const char* name, const std::optional<
   for (const oracle::Light& light : lighting->lights) {
     triple(light.is_point ? "; light at" : "; light from", light.towards);
     triple("of", light.intensity);
+    out << " falloff " << static_cast<int>(light.falloff) << " with " << light.falloff_distance;
+    if (light.is_spot) triple("along", light.axis), out << " within cosines " << light.cos_inner << " and " << light.cos_outer;
   }
   out << "\n";
 }

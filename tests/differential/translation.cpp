@@ -119,7 +119,8 @@ std::optional<Lighting> lighting_of(const std::optional<oracle::Lighting>& from)
                     .light_count = static_cast<int>(from->lights.size())};
   for (std::size_t i = 0; i < from->lights.size(); ++i) {
     const oracle::Light& light = from->lights[i];
-    lighting.lights[i] = {light.is_point ? Light::Kind::point : Light::Kind::directional, light.towards, light.intensity};
+    const Light::Kind kind = light.is_spot ? Light::Kind::spot : light.is_point ? Light::Kind::point : Light::Kind::directional;
+    lighting.lights[i] = {kind, light.towards, light.intensity, same<Falloff>(light.falloff), light.falloff_distance, light.axis, light.cos_inner, light.cos_outer};
   }
   return lighting;
 }

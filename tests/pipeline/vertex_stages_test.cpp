@@ -135,6 +135,34 @@ TEST_CASE("vertex transform: attributes follow for the vertices in use", "[pipel
   });
 }
 
+TEST_CASE("vertex transform: tangents turn with the surface and keep their lengths", "[pipeline][exact][A10]") {
+  const test::Mesh mesh = random_mesh(64, 10);
+  const std::vector<glm::vec3> tangents(mesh.positions.begin(), mesh.positions.end()), bitangents(mesh.normals.begin(), mesh.normals.end());
+  MeshView view = mesh.view();
+  view.tangents = tangents, view.bitangents = bitangents;
+  TransformState state;
+  state.world_from_object = compose(translation({1, 2, 3}), scaling({2, 1, 0.5}));
+  for_every_instruction_set([&](InstructionSet set) {
+    VertexBatch batch = batch_of(numbers_below(10));
+    const VertexTransform transform(state, {}, set);
+    transform.positions(view, batch);
+    TriangleBatch triangles;
+    triangles.add(2, 9, 4, 2, 0);
+    transform.attributes(view, Attributes::tangent | Attributes::bitangent, triangles, batch);
+    CHECK(batch.stride == 8);
+    for (const std::size_t slot : {2u, 4u, 9u}) {
+      const float* record = batch.attributes.data() + slot * 8;
+      const glm::vec3 t = tangents[slot] * glm::vec3(2, 1, 0.5f), b = bitangents[slot] * glm::vec3(2, 1, 0.5f);
+      CHECK((record[0] == t.x && record[1] == t.y && record[2] == t.z));
+      CHECK((record[3] == b.x && record[4] == b.y && record[5] == b.z));
+    }
+    view.tangents = {};
+    transform.attributes(view, Attributes::tangent, triangles, batch);  // 0 where there are none
+    CHECK(batch.attributes[2 * static_cast<std::size_t>(batch.stride)] == 0);
+    view.tangents = tangents;
+  });
+}
+
 TEST_CASE("vertex transform: a clipped vertex gets the share of its triangle's attributes", "[pipeline]") {
   const test::Mesh mesh = random_mesh(63, 3);
   VertexBatch batch = batch_of({0, 1, 2});

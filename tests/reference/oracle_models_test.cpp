@@ -23,7 +23,7 @@ TEST_CASE("oracle: a light at 60 degrees, its mirror image in the eye", "[refere
   lighting.shininess = 8;
   lighting.alpha = 0.75f;
   const float sine = std::sqrt(3.0f) / 2;
-  lighting.lights = {{false, {sine, 0, 0.5f}, glm::vec3(1)}};
+  lighting.lights = {{.is_point = false, .towards = {sine, 0, 0.5f}, .intensity = glm::vec3(1)}};
   lighting.eye = {-2 * sine, 0, 1};
   for (const bool halfway : {false, true}) {
     lighting.halfway = halfway;
@@ -40,7 +40,7 @@ TEST_CASE("oracle: highlights off the mirror direction, by half the angle or the
   lighting.diffuse = glm::vec3(0);
   lighting.specular = glm::vec3(1);
   lighting.shininess = 2;
-  lighting.lights = {{true, {0, 0, 5}, glm::vec3(1)}};
+  lighting.lights = {{.is_point = true, .towards = {0, 0, 5}, .intensity = glm::vec3(1)}};
   lighting.eye = {std::sqrt(3.0f), 0, 1};  // 60 degrees from the normal and the light
   lighting.halfway = false;
   CHECK(holds_closely(lit(lighting, {0, 0, 0}, {0, 0, 1})[1], 0.25));
