@@ -21,4 +21,9 @@ struct Pattern {
   bool operator==(const Pattern&) const = default;
 };
 
+/// Whether a pattern is a function of the texture coordinates.
+constexpr bool is_of_texture_coordinates(const Pattern& pattern) noexcept {
+  return pattern.kind == Pattern::Kind::checker || pattern.kind == Pattern::Kind::random_squares;
+}
+
 }  // namespace tuberia
