@@ -38,7 +38,10 @@ Image<Rgba8> random_image(std::uint64_t seed, int width, int height) {
 }  // namespace
 
 // notes 15.10
-TEST_CASE("texture: each level is the mean of the finer one", "[raster]") {
+TEST_CASE("texture: each level is the mean of the finer one", "[raster][A02]") {
+  Image<Rgba32F> whole_numbers(2, 2);
+  for (int i = 0; i < 4; ++i) whole_numbers.at(i % 2, i / 2).r = static_cast<float>(i);
+  CHECK(Texture::create(whole_numbers)->float_level_image(1).at(0, 0).r == 1.5f);
   Image<Rgba8> square(2, 2);
   square.at(0, 0).r = 0, square.at(1, 0).r = 40, square.at(0, 1).r = 80, square.at(1, 1).r = 120;
   CHECK(mean_code(square, TextureEncoding::linear) == 60);
