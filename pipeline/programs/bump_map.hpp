@@ -10,10 +10,12 @@
 namespace tuberia {
 
 /// A height over the surface as a function of its texture coordinates, in world units, or a picture of
-/// normals. The surface's tangents t_u, t_v keep their lengths; n'' = t'_u x t'_v with t' = t + d n.
+/// normals. The surface's tangents t_u, t_v keep their lengths. Formulas: math/bump.hpp.
 struct BumpMap {
-  /// height_texture: the red of a grey picture, differentiated by central differences.
-  /// normal_map: a picture of tangent-space normals, codes 0..255 for -1..1.
+  /// height_texture: the red of a grey picture (linear codes, or floats), 0 to 1, differentiated by central
+  /// differences one texel each way. A few texels, filtered bilinearly, are the notes' table with interpolation.
+  /// normal_map: a picture of tangent-space normals, linear codes 0..255 for -1..1: red along the tangent,
+  /// green up in the picture (against the bitangent, since v runs down), blue along the normal.
   /// waves, orange, rough: heights in closed form, with analytic derivatives: crossing sine waves; dimples
   /// at random; small random perturbations.
   enum class Kind : std::uint8_t { none, height_texture, normal_map, waves, orange, rough };
