@@ -34,10 +34,23 @@ Result<Nothing> check(const Framing& wish) {
   return Nothing{};
 }
 
+// What a basis may lack to an orthonormal one.
+constexpr double kOrthonormal = 1e-9;
+
 }  // namespace
 
+Result<CameraBasis> basis_of(const Camera& camera) {
+  if (!camera.basis) return camera_basis(camera.eye, camera.point_of_interest, camera.up);
+  const auto& [u, v, w] = *camera.basis;
+  const double error = std::max({glm::length(glm::cross(u, v) - w), glm::length(glm::cross(v, w) - u), glm::length(glm::cross(w, u) - v)});
+  if (!(error < kOrthonormal)) return Error{"basis is not orthonormal and right-handed"};
+  for (const double coordinate : {camera.eye.x, camera.eye.y, camera.eye.z})
+    if (!std::isfinite(coordinate)) return parameter_error("eye", coordinate, "finite");
+  return *camera.basis;
+}
+
 Result<CameraMatrices> camera_matrices(const Camera& camera) {
-  const auto basis = camera_basis(camera.eye, camera.point_of_interest, camera.up);
+  const auto basis = basis_of(camera);
   if (!basis) return basis.error();
   const auto project = camera.projection == Projection::perspective ? &frustum : &orthographic;
   const auto clip_from_view = project(camera.view, camera.clip_volume, camera.reversed_depth);

@@ -3,6 +3,7 @@
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
 
 #include "base/result.hpp"
 #include "math/transforms.hpp"
@@ -11,7 +12,9 @@ namespace tuberia {
 
 enum class Projection { perspective, orthographic };
 
-/// A view reference system and a frustum [C 2.1]. Positions in world space.
+/// A view reference system and a frustum [C 2.1]. Positions in world space. The system's axes are those of the look-at [C 2.2], unless
+/// a motion has set them (math/camera_motions.hpp), since eye, point and up cannot say them to the last bit wherever the eye moves;
+/// reset `basis` to set up the camera by its eye and point again.
 /// view: the window and the two distances. Move the window sideways for the off-axis views of
 /// stereo pairs and depth of field [C 2.7, 2.9]; perspective_volume makes the usual symmetric one.
 struct Camera {
@@ -20,8 +23,12 @@ struct Camera {
   ViewVolume view{};
   ClipVolume clip_volume = ClipVolume::minus_w_to_w;
   bool reversed_depth = false;
+  std::optional<CameraBasis> basis{};  // orthonormal, looking from eye to point_of_interest
   bool operator==(const Camera&) const = default;
 };
+
+/// The camera's axes. Errors of camera_basis, and for a basis that is set but not orthonormal to 1e-9.
+Result<CameraBasis> basis_of(const Camera& camera);
 
 /// clip_from_world is the composition of the other two, rounded once.
 struct CameraMatrices {
@@ -29,7 +36,7 @@ struct CameraMatrices {
   bool operator==(const CameraMatrices&) const = default;
 };
 
-/// Errors of camera_basis and of frustum or orthographic.
+/// Errors of basis_of and of frustum or orthographic.
 Result<CameraMatrices> camera_matrices(const Camera& camera);
 
 /// A wish for a picture of a whole object. centre, radius: its bounding sphere, world space.

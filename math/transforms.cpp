@@ -63,6 +63,13 @@ std::optional<Error> distance_error(double near_distance, double far_distance) {
   return std::nullopt;
 }
 
+std::optional<Error> parallel_distance_error(const ViewVolume& view) {
+  if (!std::isfinite(view.near_distance)) return parameter_error("near_distance", view.near_distance, "finite");
+  if (!std::isfinite(view.far_distance) || !(view.far_distance > view.near_distance))
+    return parameter_error("far_distance", view.far_distance, "finite and greater than near_distance");
+  return std::nullopt;
+}
+
 }  // namespace
 
 Result<CameraBasis> camera_basis(const glm::dvec3& eye, const glm::dvec3& point_of_interest,
@@ -103,12 +110,19 @@ Result<ViewVolume> perspective_volume(double fovy_radians, double aspect, double
                     .near_distance = near_distance, .far_distance = far_distance};
 }
 
+Result<ViewVolume> orthographic_volume(double width, double height, double near_distance, double far_distance) {
+  if (!std::isfinite(width) || !(width > 0.0)) return parameter_error("width", width, "finite and greater than 0");
+  if (!std::isfinite(height) || !(height > 0.0)) return parameter_error("height", height, "finite and greater than 0");
+  const ViewVolume view{.left = -0.5 * width, .right = 0.5 * width, .bottom = -0.5 * height, .top = 0.5 * height,
+                        .near_distance = near_distance, .far_distance = far_distance};
+  if (const auto error = parallel_distance_error(view)) return *error;
+  return view;
+}
+
 Result<glm::mat4> orthographic(const ViewVolume& view, ClipVolume clip_volume, bool reversed_depth) {
   if (const auto error = window_error(view)) return *error;
+  if (const auto error = parallel_distance_error(view)) return *error;
   const double near_distance = view.near_distance, far_distance = view.far_distance;
-  if (!std::isfinite(near_distance)) return parameter_error("near_distance", near_distance, "finite");
-  if (!std::isfinite(far_distance) || !(far_distance > near_distance))
-    return parameter_error("far_distance", far_distance, "finite and greater than near_distance");
 
   // z_ndc is linear in the distance -z, with the given values at the two planes.
   const auto [near_ndc, far_ndc] = depth_ends(clip_volume, reversed_depth);

@@ -40,6 +40,10 @@ glm::mat4 view_from_world(const CameraBasis& basis, const glm::dvec3& eye) noexc
 Result<ViewVolume> perspective_volume(double fovy_radians, double aspect, double near_distance,
                                       double far_distance);
 
+/// The centred window of an orthographic view, world units [C 2.3]. width, height > 0 and finite, near < far finite.
+/// Error naming the parameter that is out of range.
+Result<ViewVolume> orthographic_volume(double width, double height, double near_distance, double far_distance);
+
 /// The clip matrix of a parallel view [C 3.3], w = 1. reversed_depth swaps the two ends of z: near
 /// gets what far got. Error for an empty, unordered or non-finite volume.
 Result<glm::mat4> orthographic(const ViewVolume& view, ClipVolume clip_volume, bool reversed_depth = false);
