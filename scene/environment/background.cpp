@@ -6,7 +6,7 @@
 namespace tuberia {
 
 Result<Background> Background::create(const Camera& camera) {
-  const auto basis = camera_basis(camera.eye, camera.point_of_interest, camera.up);
+  const auto basis = basis_of(camera);
   if (!basis) return basis.error();
   const ViewVolume& view = camera.view;
   if (!std::isfinite(view.left + view.right + view.bottom + view.top + view.near_distance)) return Error{"the camera's window is not finite"};

@@ -71,7 +71,7 @@ Result<Camera> directional_camera(const glm::dvec3& towards, const Bounds& seen)
   if (!(glm::length(towards) > 0)) return Error{"the light's direction is zero"};
   const glm::dvec3 eye(seen.centre());
   Camera camera{.eye = eye, .point_of_interest = eye - towards, .up = up_for(towards), .projection = Projection::orthographic};
-  const auto basis = camera_basis(camera.eye, camera.point_of_interest, camera.up);
+  const auto basis = basis_of(camera);
   if (!basis) return basis.error();
   const ViewExtent extent = extent_of(seen, *basis, eye, [](const glm::dvec3& p) { return p; });
   // A box that is a point still gets a window.
@@ -86,7 +86,7 @@ Result<Camera> positional_camera(const glm::dvec3& position, const Bounds& seen)
   const Error inside{"the light lies inside of what it is to see, or too close to it for one picture"};
   const glm::dvec3 middle = middle_direction(seen, position);
   Camera camera{.eye = position, .point_of_interest = position + middle, .up = up_for(middle)};
-  const auto basis = camera_basis(camera.eye, camera.point_of_interest, camera.up);
+  const auto basis = basis_of(camera);
   if (!basis) return inside;
   const ViewExtent distances = extent_of(seen, *basis, position, [](const glm::dvec3& p) { return p; });
   if (!(distances.smallest.z > kNearestPlane * distances.largest.z)) return inside;
@@ -117,7 +117,7 @@ Result<LightView> light_view(const Camera& camera) {
   if (camera.reversed_depth) return Error{"a light's view with reversed depth cannot be compared with"};
   const auto matrices = camera_matrices(camera);
   if (!matrices) return matrices.error();
-  const auto basis = camera_basis(camera.eye, camera.point_of_interest, camera.up);
+  const auto basis = basis_of(camera);
   if (!basis) return basis.error();
 
   const ViewVolume& view = camera.view;

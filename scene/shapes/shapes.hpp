@@ -8,3 +8,4 @@
 #include "scene/shapes/height_field.hpp"
 #include "scene/shapes/round_shapes.hpp"
 #include "scene/shapes/teapot.hpp"
+#include "scene/shapes/zigzag.hpp"

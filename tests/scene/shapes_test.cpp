@@ -28,7 +28,8 @@ std::vector<Mesh> all_shapes() {
           *cone_mesh({.radius = 1.5, .top_radius = 0.5, .height = 2, .slices = 19, .stacks = 3}),
           *torus_mesh({.radius = 2, .tube_radius = 0.5, .slices = 21, .stacks = 9}),
           *teapot_mesh({.segments = 6}),
-          *height_field_mesh({.width = 2, .depth = 3, .columns = 12, .rows = 9}, hills)};
+          *height_field_mesh({.width = 2, .depth = 3, .columns = 12, .rows = 9}, hills),
+          *zigzag_mesh({.flanks = 5, .strips_per_flank = 3})};
 }
 
 std::string refusal_of(const Result<Mesh>& mesh) { return mesh ? "(accepted)" : mesh.error().message; }
@@ -202,6 +203,7 @@ TEST_CASE("shapes: senseless parameters are refused by name", "[scene]") {
   CHECK(refusal_of(cone_mesh({.top_radius = -0.5})) == "cone: top_radius is -0.5, but must be finite and at least 0");
   CHECK(refusal_of(torus_mesh({.radius = 1, .tube_radius = 1})) == "torus: tube_radius is 1, but must be less than radius");
   CHECK(refusal_of(teapot_mesh({.segments = 0})) == "teapot: Bezier surface: segments is 0, but must be between 1 and 16384");
+  CHECK(refusal_of(zigzag_mesh({.flanks = 0})) == "zigzag: flanks is 0, but must be between 1 and 16384");
   CHECK(refusal_of(bezier_mesh({})) == "Bezier surface: there are no patches");
   BezierPatch lost;
   lost.points[5].y = kNaN;
