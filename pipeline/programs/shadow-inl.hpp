@@ -8,6 +8,7 @@
 #endif
 
 #include "pipeline/programs/shadow_map.hpp"
+#include "raster/simd/cube_face-inl.hpp"
 #include "raster/simd/vector-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -29,23 +30,61 @@ struct MapPoint {
 };
 
 template <class F>
+HWY_INLINE Mask is_in_picture(F w, F s, F t) {
+  return (w > 0.0f) & (s >= 0.0f) & (s <= 1.0f) & (t >= 0.0f) & (t <= 1.0f);
+}
+
+template <class F>
 HWY_INLINE MapPoint<F> map_point(const glm::mat4& map_from_world, Vec3<F> point) {
   const F w = map_coordinate(map_from_world, 3, point);
   const F scale = 1.0f / w;
   const F s = map_coordinate(map_from_world, 0, point) * scale;
   const F t = map_coordinate(map_from_world, 1, point) * scale;
   const F depth = map_coordinate(map_from_world, 2, point) * scale;
-  return {s, t, depth, (w > 0.0f) & (s >= 0.0f) & (s <= 1.0f) & (t >= 0.0f) & (t <= 1.0f)};
+  return {s, t, depth, is_in_picture(w, s, t)};
+}
+
+/// A point seen by a light that looks all around: on one of six faces.
+template <class F>
+struct FacePoint {
+  CubeFace face;
+  Vec3<F> in_face;  // along the face's s and t, and outwards
+};
+
+template <class F>
+HWY_INLINE FacePoint<F> face_point(const ShadowMap& map, Vec3<F> point) {
+  const glm::mat4& m = map.map_from_world;
+  const Vec3<F> seen{map_coordinate(m, 0, point), map_coordinate(m, 1, point), map_coordinate(m, 2, point)};
+  const CubeFace face = face_of(seen);
+  return {face, in_frame(face, seen, -seen)};
+}
+
+template <class F>
+HWY_INLINE MapPoint<F> map_point(const ShadowMap& map, const FacePoint<F>& point) {
+  const F scale = 1.0f / point.in_face.z;
+  const F s = mul_add(point.in_face.x * scale, F(0.5f), F(0.5f)), t = mul_add(point.in_face.y * scale, F(0.5f), F(0.5f));
+  return {s, t, mul_add(scale, F(map.cube_depth.y), F(map.cube_depth.x)), is_in_picture(point.in_face.z, s, t)};
+}
+
+/// How high over a surface's tangent plane a point must be to clear all depths that it is compared with.
+template <class F>
+HWY_INLINE F clear_height(const ShadowMap& map, Vec3<F> point, Vec3<F> n) {
+  // From the middle of a texel to where its depth is still compared with, in texels; vertices are snapped
+  // to 1/256 of them, so depths may belong to a point that is half of that away, and another half is slack.
+  const float reach = 0.5f * static_cast<float>(map.taps) + 1.0f / 256;
+  if (map.depths->kind() == TextureKind::cube) {
+    const FacePoint<F> seen = face_point(map, point);
+    const Vec3<F> tilt = in_frame(seen.face, n, -n);
+    return (abs(tilt.x) + abs(tilt.y)) * seen.in_face.z * (reach * 2.0f / static_cast<float>(map.depths->level(0).width));
+  }
+  const F tilt = abs(dot(n, Vec3<F>(map.texel_right))) + abs(dot(n, Vec3<F>(map.texel_down)));
+  return tilt * map_coordinate(map.map_from_world, 3, point) * reach;
 }
 
 /// The point that is compared in place of a surface's own. n, l: unit, the normal and towards the light.
 template <class F>
 HWY_INLINE Vec3<F> biased_point(const ShadowMap& map, Vec3<F> point, Vec3<F> n, Vec3<F> l, F light_cosine) {
-  // From the middle of a texel to where its depth is still compared with, in texels; vertices are snapped
-  // to 1/256 of them, so depths may belong to a point that is half of that away, and another half is slack.
-  const float reach = 0.5f * static_cast<float>(map.taps) + 1.0f / 256;
-  const F tilt = abs(dot(n, Vec3<F>(map.texel_right))) + abs(dot(n, Vec3<F>(map.texel_down)));
-  const F height = tilt * map_coordinate(map.map_from_world, 3, point) * reach;
+  const F height = clear_height(map, point, n);
   // Where light grazes, a long way leads up to that height; below this cosine it hardly shows.
   constexpr float kLeastCosine = 1e-3f;
   const F towards_light = height / select(light_cosine > kLeastCosine, light_cosine, F(kLeastCosine));
@@ -63,9 +102,10 @@ HWY_INLINE F box_filtered(int taps, F fraction, const Value& value) {
   return sum;
 }
 
-/// How much of the texels around a point lets the light pass to it, 0 to 1: "percentage closer". [Reeves]
+/// How much of the texels around a point lets the light pass to it, 0 to 1: "percentage closer". Of the
+/// texels beyond a picture's edge its edge texels take the place.             [Reeves]
 template <class F>
-HWY_INLINE F lit_share(const ShadowMap& map, const MapPoint<F>& at) {
+HWY_INLINE F lit_share(const ShadowMap& map, const MapPoint<F>& at, Int first_texel) {
   const TextureLevel& level = map.depths->level(0);
   const F reference = at.depth - map.depth_error;
   const float margin = 0.5f * static_cast<float>(map.taps - 1);
@@ -74,7 +114,7 @@ HWY_INLINE F lit_share(const ShadowMap& map, const MapPoint<F>& at) {
   const F left = floor(x), top = floor(y);
   const auto within = [](Int i, int size) HWY_ATTR { return max(min(i, Int(size - 1)), Int(0)); };
   const F sum = box_filtered(map.taps, y - top, [&](int j) HWY_ATTR {
-    const Int row = within(truncate_to_int(top) + Int(j), level.height) * Int(level.width);
+    const Int row = within(truncate_to_int(top) + Int(j), level.height) * Int(level.width) + first_texel;
     return box_filtered(map.taps, x - left, [&](int i) HWY_ATTR {
       const F depth = gather<F>(level.floats, row + within(truncate_to_int(left) + Int(i), level.width));
       // Where nothing was drawn nothing casts shadow, even on what lies beyond the light's far plane.
@@ -89,9 +129,18 @@ HWY_INLINE F lit_share(const ShadowMap& map, const MapPoint<F>& at) {
 /// the direction to the light; light_cosine: theirs. Points that are not finite are lit. [A 1.3] [FIX 13]
 template <class F>
 HWY_INLINE F light_visibility(const ShadowMap& map, Vec3<F> point, Vec3<F> n, Vec3<F> l, F light_cosine) {
-  const MapPoint<F> at = map_point(map.map_from_world, biased_point(map, point, n, l, light_cosine));
+  const Vec3<F> compared = biased_point(map, point, n, l, light_cosine);
+  MapPoint<F> at;
+  Int first_texel(0);
+  if (map.depths->kind() == TextureKind::cube) {
+    const FacePoint<F> seen = face_point(map, compared);
+    at = map_point(map, seen);
+    first_texel = seen.face.number() * Int(map.depths->level(0).width * map.depths->level(0).height);
+  } else {
+    at = map_point(map.map_from_world, compared);
+  }
   if (none(at.inside)) return F(1.0f);
-  return select(at.inside, lit_share(map, at), F(1.0f));
+  return select(at.inside, lit_share(map, at, first_texel), F(1.0f));
 }
 
 /// The colour that a projector throws on a point; the texture's level follows from how much its coordinates

@@ -30,12 +30,15 @@ Refusal check_texels(const glm::vec3& right, const glm::vec3& down) {
 
 Refusal check(const ShadowMap& map) {
   if (!map.depths) return Error{"the shadow map has no depths"};
-  if (map.depths->format() != TextureFormat::depth32f || map.depths->kind() != TextureKind::two_dimensional)
-    return Error{"the shadow map's depths are not a rectangle of depths (depth32f)"};
+  const TextureKind kind = map.depths->kind();
+  if (map.depths->format() != TextureFormat::depth32f || (kind != TextureKind::two_dimensional && kind != TextureKind::cube))
+    return Error{"the shadow map's depths are not a rectangle or cube of depths (depth32f)"};
   if (map.taps < 1 || map.taps > ShadowMap::kMaxTaps)
     return Error{"taps is " + std::to_string(map.taps) + ", outside 1 to " + std::to_string(ShadowMap::kMaxTaps)};
   if (Refusal refusal = check_matrix("map_from_world", map.map_from_world)) return refusal;
   if (Refusal refusal = check_texels(map.texel_right, map.texel_down)) return refusal;
+  if (Refusal refusal = check_finite("cube_depth.x", map.cube_depth.x)) return refusal;
+  if (Refusal refusal = check_finite("cube_depth.y", map.cube_depth.y)) return refusal;
   if (Refusal refusal = check_not_negative("depth_error", map.depth_error)) return refusal;
   if (Refusal refusal = check_not_negative("constant_bias", map.constant_bias)) return refusal;
   if (Refusal refusal = check_not_negative("slope_bias", map.slope_bias)) return refusal;

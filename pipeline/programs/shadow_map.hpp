@@ -2,6 +2,7 @@
 // What a light sees, for programs that ask what it does not see.                            [A 1.3]
 
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <memory>
 
@@ -22,9 +23,12 @@ namespace tuberia {
 /// that distance of what casts them.                                         [FIX 13] docs/shadows.md
 struct ShadowMap {
   static constexpr int kMaxTaps = 8;
-  std::shared_ptr<const Texture> depths;       // a rectangle of depth32f: 0 near the light, 1 far or nothing
+  std::shared_ptr<const Texture> depths;       // depth32f, a rectangle or a cube: 0 near the light, 1 far or nothing
   glm::mat4 map_from_world{1.0f};              // to (s, t, depth, 1) times w, w > 0 before the light; s, t as of textures
   glm::vec3 texel_right{0}, texel_down{0};     // what a texel's sides span where w is 1, world units
+  // Of a cube, for lights that shine all around, map_from_world gives the point seen from the light, in the
+  // world's directions; with m the largest of its coordinates the depth is cube_depth.x + cube_depth.y / m.
+  glm::vec2 cube_depth{0};
   float depth_error = 0x1p-22f;                // depths that differ by no more count as equal: roundings
   float constant_bias = 0;                     // world units towards the light
   float slope_bias = 1;                        // in heights h

@@ -5,6 +5,10 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <limits>
+#include <optional>
+
+#include "scene/environment/render_cube.hpp"
 
 namespace tuberia {
 namespace {
@@ -100,6 +104,14 @@ Result<Camera> positional_camera(const glm::dvec3& position, const Bounds& seen)
   return camera;
 }
 
+/// What no light can see.
+std::optional<Error> check(const Light& light, const Bounds& seen) {
+  if (seen.empty()) return Error{"the box that the light is to see is empty"};
+  if (!is_finite(seen.lower) || !is_finite(seen.upper)) return Error{"the box that the light is to see is not finite"};
+  if (!is_finite(light.towards)) return Error{"the light's direction or position is not finite"};
+  return {};
+}
+
 /// From clip space to (s, t, depth) times w.
 glm::mat4 map_from_clip(ClipVolume volume) {
   const bool is_signed = volume == ClipVolume::minus_w_to_w;
@@ -132,9 +144,7 @@ Result<LightView> light_view(const Camera& camera) {
 }
 
 Result<Camera> light_camera(const Light& light, const Bounds& seen) {
-  if (seen.empty()) return Error{"the box that the light is to see is empty"};
-  if (!is_finite(seen.lower) || !is_finite(seen.upper)) return Error{"the box that the light is to see is not finite"};
-  if (!is_finite(light.towards)) return Error{"the light's direction or position is not finite"};
+  if (auto error = check(light, seen)) return *std::move(error);
   auto camera = light.kind == Light::Kind::directional ? directional_camera(light.towards, seen) : positional_camera(light.towards, seen);
   if (camera) camera->clip_volume = ClipVolume::zero_to_w;
   return camera;
@@ -144,6 +154,20 @@ Result<LightView> light_view(const Light& light, const Bounds& seen) {
   const auto camera = light_camera(light, seen);
   if (!camera) return camera.error();
   return light_view(*camera);
+}
+
+Result<LightCube> light_cube(const Light& light, const Bounds& seen) {
+  if (auto error = check(light, seen)) return *std::move(error);
+  if (light.kind == Light::Kind::directional) return Error{"a directional light does not shine all around"};
+  const glm::dvec3 position(light.towards);
+  const glm::dvec3 farthest = glm::max(glm::abs(glm::dvec3(seen.lower) - position), glm::abs(glm::dvec3(seen.upper) - position));
+  const double far_distance = std::max({farthest.x, farthest.y, farthest.z}) * (1 + kPlaneSlack);
+  if (!(far_distance > 0)) return Error{"there is nothing around the light but its own place"};
+  return LightCube{.position = position, .near_distance = far_distance * kNearestPlane, .far_distance = far_distance};
+}
+
+Result<LightView> light_view(const LightCube& cube, int face) {
+  return light_view(cube_face_camera({.eye = cube.position, .near_distance = cube.near_distance, .far_distance = cube.far_distance, .clip_volume = ClipVolume::zero_to_w}, face));
 }
 
 }  // namespace tuberia

@@ -32,4 +32,17 @@ Result<Camera> light_camera(const Light& light, const Bounds& seen);
 /// light_view of light_camera, with the errors of both.
 Result<LightView> light_view(const Light& light, const Bounds& seen);
 
+/// A point light that looks all around, through the six faces of a cube: +x, -x, +y, -y, +z, -z.
+struct LightCube {
+  glm::dvec3 position{0};                             // world space
+  double near_distance = 0.01, far_distance = 10;     // along each face's axis, world units
+};
+
+/// What shows a light everything in a box, but for what is next to it: nearer than a thousandth of the
+/// farthest. Error for a light that is not a point, an empty box, and numbers that are not finite.
+Result<LightCube> light_cube(const Light& light, const Bounds& seen);
+
+/// The view through one face. Its picture is the face mirrored left to right: see cube_face_camera.
+Result<LightView> light_view(const LightCube& cube, int face);
+
 }  // namespace tuberia

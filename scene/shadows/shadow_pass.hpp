@@ -24,4 +24,12 @@ struct ShadowPass {
 /// for. Error for a mesh that is not in object space, naming the draw, and of RenderTarget and Pipeline::draw.
 Result<ShadowMap> draw_shadow_map(Pipeline& pipeline, std::span<const DrawCall> casters, const LightView& light, const ShadowPass& pass = {});
 
+/// The same for a light that looks all around: six passes, each pass.size texels each way. Error for a size
+/// beyond Texture::kMaxCubeSize, too.
+Result<ShadowMap> draw_shadow_map(Pipeline& pipeline, std::span<const DrawCall> casters, const LightCube& light, const ShadowPass& pass = {});
+
+/// The same for any light and a box (world space) of all that casts and receives: one picture, or six where a
+/// point light does not see the whole box in one.
+Result<ShadowMap> draw_shadow_map(Pipeline& pipeline, std::span<const DrawCall> casters, const Light& light, const Bounds& seen, const ShadowPass& pass = {});
+
 }  // namespace tuberia

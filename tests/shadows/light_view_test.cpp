@@ -92,6 +92,17 @@ TEST_CASE("light views: points on one ray of light share a texel", "[shadows][A1
   }
 }
 
+TEST_CASE("light views: a lamp over a wide floor turns towards the middle of what it sees", "[shadows][A14]") {
+  // Seen from 1 above one end of a floor 16 long, its middle is 7 degrees below the horizon: other corners are behind.
+  const LightView view = test::value_of(light_view({.kind = Light::Kind::point, .towards = {-8.5f, 1, 0}}, box_of({-8, 0, -8}, {8, 0, 8})));
+  for (const double x : {-8.0, 8.0})
+    for (const double z : {-8.0, 8.0}) {
+      const glm::dvec4 corner = on_map(view, {x, 0, z});
+      CHECK(corner.w > 0);
+      CHECK((corner.x > 0 && corner.x < 1 && corner.y > 0 && corner.y < 1));
+    }
+}
+
 TEST_CASE("light views: what cannot be seen is refused by name", "[shadows]") {
   const Bounds box = box_of({-1, -1, -1}, {1, 1, 1});
   const auto nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
@@ -108,6 +119,15 @@ TEST_CASE("light views: what cannot be seen is refused by name", "[shadows]") {
   CHECK(refusal_of_view(sun({0, 1, 0}), box_of({1, 2, 3}, {1, 2, 3})) == "");
   CHECK(refusal_of_view(lamp({0, 1, 0}), box_of({1, 2, 3}, {1, 2, 3})) == "");
   CHECK(refusal_of_view(sun({1, 0, 0}), box_of({-1, 0, -1}, {1, 0, 1})) == "");
+  const auto cube_refusal = [&](const Light& light, const Bounds& seen) {
+    const auto view = light_cube(light, seen);
+    return view ? std::string() : view.error().message;
+  };
+  CHECK(cube_refusal(lamp({0, 0, 0}), box) == "");
+  CHECK(cube_refusal(sun({0, 1, 0}), box) == "a directional light does not shine all around");
+  CHECK(cube_refusal(lamp({0, nan, 0}), box) == "the light's direction or position is not finite");
+  CHECK(cube_refusal(lamp({0, 0, 0}), {}) == "the box that the light is to see is empty");
+  CHECK(cube_refusal(lamp({1, 2, 3}), box_of({1, 2, 3}, {1, 2, 3})) == "there is nothing around the light but its own place");
   Camera reversed = test::value_of(light_camera(test::kSun, box));
   reversed.reversed_depth = true;
   CHECK(light_view(reversed).error().message == "a light's view with reversed depth cannot be compared with");

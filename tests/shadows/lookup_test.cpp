@@ -166,11 +166,12 @@ TEST_CASE("shadow look-ups: maps that cannot be compared with are refused by nam
   };
   const auto nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
   CHECK(refused([](ShadowMap& m) { m.depths = nullptr; }) == "the shadow map has no depths");
-  CHECK(refused([](ShadowMap& m) { m.depths = test::texture_of(Image<Rgba8>(4, 4)); }) == "the shadow map's depths are not a rectangle of depths (depth32f)");
+  CHECK(refused([](ShadowMap& m) { m.depths = test::texture_of(Image<Rgba8>(4, 4)); }) == "the shadow map's depths are not a rectangle or cube of depths (depth32f)");
   CHECK(refused([](ShadowMap& m) { m.taps = 0; }) == "taps is 0, outside 1 to 8");
   CHECK(refused([](ShadowMap& m) { m.taps = 9; }) == "taps is 9, outside 1 to 8");
   CHECK(refused([&](ShadowMap& m) { m.map_from_world[2].y = nan; }) == "map_from_world is nan; it must be finite");
   CHECK(refused([&](ShadowMap& m) { m.texel_down.z = infinity; }) == "texel_down is inf; it must be finite");
+  CHECK(refused([&](ShadowMap& m) { m.cube_depth.y = nan; }) == "cube_depth.y is nan; it must be finite");
   CHECK(refused([](ShadowMap& m) { m.slope_bias = -1; }) == "slope_bias is -1; it must be finite and not negative");
   CHECK(refused([&](ShadowMap& m) { m.constant_bias = nan; }) == "constant_bias is nan; it must be finite and not negative");
   CHECK(refused([&](ShadowMap& m) { m.normal_offset = infinity; }) == "normal_offset is inf; it must be finite and not negative");

@@ -161,6 +161,20 @@ inline ShadowScene thin_pole() {
   return scene;
 }
 
+/// Four walls, a floor and a ceiling, seen from inside, with things on all sides of the middle.
+inline ShadowScene room() {
+  ShadowScene scene;
+  Mesh walls = box({-3, 0, -3}, {3, 3, 3});
+  for (glm::vec3& n : walls.normals) n = -n;
+  for (std::size_t i = 0; i < walls.indices.size(); i += 3) std::swap(walls.indices[i], walls.indices[i + 1]);
+  scene.add(std::move(walls));
+  const Mesh ball = sphere(16);
+  for (const glm::dvec3& at : {glm::dvec3(1.4, 0.5, 0.3), {-1.2, 1.8, 0.4}, {0.3, 0.6, -1.5}, {0.2, 2.5, 1.0}, {-1.1, 0.9, -1.2}})
+    scene.add(ball, compose(translation(at), scaling({0.3, 0.3, 0.3})));
+  scene.eye = eye_at({2.7, 2.6, 2.8}, {-0.5, 0.8, -0.8});
+  return scene;
+}
+
 inline const Light kSun{.kind = Light::Kind::directional, .towards = {0.48f, 0.8f, 0.36f}};
 inline const Light kSunBehind{.kind = Light::Kind::directional, .towards = {-0.36f, 0.64f, -0.6788225f}};
 inline const Light kLamp{.kind = Light::Kind::point, .towards = {4, 7, 3}};
