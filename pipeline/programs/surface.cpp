@@ -6,8 +6,11 @@
 #define TUBERIA_KERNEL_FILE "pipeline/programs/surface.cpp"
 #include "pipeline/program.hpp"
 
+#include "pipeline/programs/bump-inl.hpp"
 #include "pipeline/programs/lighting-inl.hpp"
+#include "pipeline/programs/pattern-inl.hpp"
 #include "pipeline/programs/reflection-inl.hpp"
+#include "pipeline/programs/texture_access-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace tuberia {
@@ -46,10 +49,11 @@ struct ShadedPoint {
 
 /// The pattern's or texture's colour and alpha.
 template <class F>
-HWY_INLINE Vec4<F> own_colour(SurfaceFragment<F>& in, const SurfaceColour& colour) {
-  if (colour.texture) return in.sample(*colour.texture, colour.sampler, in.texcoord());
-  // A pattern's colour takes the place of white here.
-  return Vec4<F>(glm::vec4(1));
+HWY_INLINE Vec4<F> own_colour(SurfaceFragment<F>& in, const SurfaceColour& colour, const glm::vec3& eye) {
+  if (!colour.texture && colour.pattern.kind == Pattern::Kind::none) return Vec4<F>(glm::vec4(1));
+  const Vec2<F> uv = accessed_texcoord(colour.access, in.texcoord(), in.position());
+  if (colour.texture) return accessed_colour(in, *colour.texture, colour.sampler, colour.access, uv, Vec3<F>(eye), in.position());
+  return Vec4<F>(pattern_colour(colour.pattern, uv, in.position()), F(1.0f));
 }
 
 /// One light's part of the sum: V Ip falloff (own kd (N.L) + ks share).
@@ -84,11 +88,11 @@ template <class F>
 HWY_NOINLINE Vec4<F> shade_surface(SurfaceFragment<F>& in, const SurfaceUniforms& surface) {
   const Vec3<F> position = in.position(), to_eye = normalize(Vec3<F>(surface.eye) - position);
   const Vec3<F> smooth = fragment_normal(surface.normals, in.normal());
-  // Relief replaces this normal by the bumped one; which side is seen remains the smooth normal's to say.
-  const Vec3<F> bumped = smooth;
+  // Which side is seen remains the smooth normal's to say.
+  const Vec3<F> bumped = bumped_normal(in, surface.bump, in.texcoord(), SurfaceBasis<F>{in.tangent(), in.bitangent(), smooth});
   const Vec3<F> normal = surface.two_sided ? turned_to(smooth, to_eye, bumped) : bumped;
 
-  const Vec4<F> own = own_colour(in, surface.colour);
+  const Vec4<F> own = own_colour(in, surface.colour, surface.eye);
   const ShadedPoint<F> at{position, normal, to_eye, own.rgb()};
   Vec3<F> sum = at.colour * Vec3<F>(surface.reflection.ambient * surface.ambient_light);
   for (const SurfaceLight& light : surface.lights) sum = sum + light_of(surface, light, at);
@@ -131,7 +135,8 @@ namespace tuberia {
 
 FragmentProgram surface(SurfaceUniforms uniforms) {
   const bool is_bumped = uniforms.bump.kind != BumpMap::Kind::none;
-  const bool is_textured = uniforms.colour.texture || is_of_texture_coordinates(uniforms.colour.pattern);
+  const bool is_mapped = uniforms.colour.texture || is_of_texture_coordinates(uniforms.colour.pattern);
+  const bool is_textured = is_mapped && uniforms.colour.access.coordinates == TextureAccess::Coordinates::vertices;
   const ProgramInterface& interface = is_bumped ? bumped_surface_interface() : is_textured ? textured_surface_interface() : surface_interface();
   return {interface, std::move(uniforms)};
 }

@@ -14,6 +14,7 @@
 #include "pipeline/programs/environment_map.hpp"
 #include "pipeline/programs/pattern.hpp"
 #include "pipeline/programs/shadow_map.hpp"
+#include "pipeline/programs/texture_access.hpp"
 #include "raster/sampler.hpp"
 #include "raster/texture.hpp"
 
@@ -24,6 +25,7 @@ struct SurfaceColour {
   Pattern pattern{};
   std::shared_ptr<const Texture> texture{};   // instead of the pattern
   Sampler sampler{};
+  TextureAccess access{};                     // of the texture, or of a pattern of texture coordinates
 };
 
 /// A light with what may stand in its way.
@@ -54,7 +56,7 @@ struct SurfaceUniforms {
 /// I = own * ka Ia + sum over the lights of V Ip falloff (own * kd (N.L) + ks * share) + kps * environment,
 /// where `own` is the pattern's or texture's colour and the shares are those of math/reflection.hpp.
 /// Reads positions and normals, texture coordinates where a colour or relief is a function of them, and
-/// tangents where there is relief. A normal of length 0 is lit by ambient light alone. Refused: numbers that are not
+/// tangents where there is relief (which always goes by the vertices' coordinates). A normal of length 0 is lit by ambient light alone. Refused: numbers that are not
 /// finite, a negative exponent, a roughness outside 1e-3 to 1e3, a refractive index outside 1e-3 to 1e3, a
 /// missing texture.
 FragmentProgram surface(SurfaceUniforms uniforms);

@@ -4,6 +4,7 @@
 #include <initializer_list>
 #include <utility>
 
+#include "pipeline/programs/surface_colour_refusal.hpp"
 #include "pipeline/refusal.hpp"
 
 namespace tuberia {
@@ -54,7 +55,10 @@ Refusal refusal_of(const SurfaceUniforms& uniforms) {
   const SurfaceColour& colour = uniforms.colour;
   if (colour.texture)
     if (Refusal refusal = check_texture("colour", colour.texture, colour.sampler, TextureKind::two_dimensional)) return refusal;
-  // What relief, environment and shadows refuse is asked here, too.
+  if (Refusal refusal = refusal_of(colour.pattern)) return refusal;
+  if (Refusal refusal = refusal_of(colour.access)) return refusal;
+  if (Refusal refusal = refusal_of(uniforms.bump)) return refusal;
+  // What environment and shadows refuse is asked here, too.
   for (std::size_t i = 0; i < uniforms.lights.size(); ++i)
     if (const Refusal refusal = refusal_of(uniforms.lights[i].light))
       return Error{"lights[" + std::to_string(i) + "]." + refusal->message};
