@@ -211,6 +211,31 @@ TEST_CASE("environment: panoramas and cubes from files", "[scene][A31][B37]") {
   }
 }
 
+// TUBERIA_ENVIRONMENTS: a folder of panoramas *.hdr and, if there are any, of the same places as NAME_ldr.png
+// and as the six files of a folder cube_NAME. Without it there is nothing to try.
+TEST_CASE("environment: photographs of real places are read and converted", "[scene][A31][A33]") {
+  const char* folder = std::getenv("TUBERIA_ENVIRONMENTS");
+  if (folder == nullptr) return;
+  int places = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() != ".hdr") continue;
+    INFO(entry.path().string());
+    ++places;
+    const auto panorama = read_environment_image(entry.path());
+    REQUIRE(panorama);
+    CHECK(panorama->width() == 2 * panorama->height());
+
+    const std::string name = entry.path().stem().string();
+    const auto paths = find_cube_files(std::filesystem::path(folder) / ("cube_" + name));
+    const auto codes = read_environment_image(std::filesystem::path(folder) / (name + "_ldr.png"));
+    if (!paths || !codes) continue;
+    const auto cube = read_cube_images(*paths);
+    REQUIRE(cube);
+    CHECK(difference_of(panorama_surroundings(*codes), cube_surroundings(*cube), 5000, every_direction).mean < kTwoCodes);
+  }
+  CHECK(places > 0);
+}
+
 TEST_CASE("environment: what is wrong with a file is told by name", "[scene][A29]") {
   const TemporaryFolder folder("environment");
   const float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
