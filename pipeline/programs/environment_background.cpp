@@ -10,7 +10,7 @@ TUBERIA_PROGRAM_BEGIN
 struct EnvironmentBackgroundProgram : ProgramBase {
   using Uniforms = EnvironmentMap;
   static constexpr Attributes interpolated = Attributes::custom;
-  static const char* refusal(const Uniforms& map) { return refusal_of(map); }
+  static Refusal refusal(const Uniforms& map) { return refusal_of(map); }
 
   template <class Fragment>
   static HWY_INLINE auto shade(Fragment& in, const Uniforms& map) {

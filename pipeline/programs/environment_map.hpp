@@ -27,10 +27,9 @@ struct EnvironmentMap {
   glm::mat3 map_from_world{1.0f};  // a rotation; for a sphere map, of the view that it was made for
 };
 
-/// Why a draw with such a map must be refused: the texture is missing, of the wrong kind, or of depths; the
-/// sampler compares, or is itself refused; the matrix is not finite. Null when it need not be; a map of
-/// kind none never is.
-const char* refusal_of(const EnvironmentMap& map) noexcept;
+/// Why nothing can be looked up in this map: an unknown kind; a texture that is missing, of another kind, or of
+/// depths; a matrix that is not finite; a sampler that is refused. Empty when it can, and for kind none.
+Refusal refusal_of(const EnvironmentMap& map);
 
 /// The radiance that the map has in the direction of the custom attribute's x, y, z, in world space, alpha 1;
 /// black without a map. What is seen where nothing else is: scene/environment/background.hpp.

@@ -7,6 +7,7 @@
 #include "pipeline/program.hpp"
 
 #include "pipeline/programs/bump-inl.hpp"
+#include "pipeline/programs/environment-inl.hpp"
 #include "pipeline/programs/lighting-inl.hpp"
 #include "pipeline/programs/pattern-inl.hpp"
 #include "pipeline/programs/reflection-inl.hpp"
@@ -96,7 +97,8 @@ HWY_NOINLINE Vec4<F> shade_surface(SurfaceFragment<F>& in, const SurfaceUniforms
   const ShadedPoint<F> at{position, normal, to_eye, own.rgb()};
   Vec3<F> sum = at.colour * Vec3<F>(surface.reflection.ambient * surface.ambient_light);
   for (const SurfaceLight& light : surface.lights) sum = sum + light_of(surface, light, at);
-  // The surroundings in the mirror direction are added here, kps times.
+  if (surface.environment.kind != EnvironmentMap::Kind::none && surface.mirror != glm::vec3(0))
+    sum = sum + Vec3<F>(surface.mirror) * environment_radiance(in, surface.environment, reflect(-to_eye, normal));
   if (surface.overflow == Overflow::hue_preserving) sum = divided_by_largest(sum);
   return Vec4<F>(sum, own.a() * F(surface.alpha));
 }

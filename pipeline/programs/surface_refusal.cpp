@@ -58,7 +58,8 @@ Refusal refusal_of(const SurfaceUniforms& uniforms) {
   if (Refusal refusal = refusal_of(colour.pattern)) return refusal;
   if (Refusal refusal = refusal_of(colour.access)) return refusal;
   if (Refusal refusal = refusal_of(uniforms.bump)) return refusal;
-  // What environment and shadows refuse is asked here, too.
+  if (const Refusal refusal = refusal_of(uniforms.environment)) return Error{"environment: " + refusal->message};
+  // What shadows refuse is asked here, too.
   for (std::size_t i = 0; i < uniforms.lights.size(); ++i)
     if (const Refusal refusal = refusal_of(uniforms.lights[i].light))
       return Error{"lights[" + std::to_string(i) + "]." + refusal->message};

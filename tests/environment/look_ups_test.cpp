@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "pipeline/programs/surface.hpp"
 #include "tests/support/environments.hpp"
 #include "tests/support/every_instruction_set.hpp"
 
@@ -174,24 +175,31 @@ TEST_CASE("environment: maps that no program can read are refused", "[environmen
   const auto rectangle = panorama_map(test::noise_image(4, 2, 641)), cube = cube_map(cube_of(test::sunless_sky(), 2));
   REQUIRE((rectangle && cube));
   const auto refused_as = [](EnvironmentMap map, const char* reason) {
-    REQUIRE(refusal_of(map) != nullptr);
-    CHECK(std::string(refusal_of(map)).find(reason) != std::string::npos);
+    const Refusal refusal = refusal_of(map);
+    REQUIRE(refusal);
+    CHECK(refusal->message.find(reason) != std::string::npos);
     test::Studio studio(test::float_canvas(4));
-    const auto drawn = studio.pipeline().draw(studio.target(), {.mesh = test::FaceOfDirections(0).view(), .program = environment_background(map), .state = {}});
-    CHECK_FALSE(drawn);
+    const DrawCall behind{.mesh = test::FaceOfDirections(0).view(), .program = environment_background(map), .state = {}};
+    CHECK_FALSE(studio.pipeline().draw(studio.target(), behind));
+    SurfaceUniforms uniforms;
+    uniforms.environment = map;
+    const Refusal of_surface = surface(uniforms).interface().refusal(&uniforms);
+    REQUIRE(of_surface);
+    CHECK(of_surface->message.find(reason) != std::string::npos);
   };
   using Kind = EnvironmentMap::Kind;
   refused_as({.kind = Kind::cube, .texture = nullptr, .sampler = {}}, "no texture");
-  refused_as({.kind = Kind::cube, .texture = rectangle->texture, .sampler = {}}, "cube");
-  refused_as({.kind = Kind::panorama, .texture = cube->texture, .sampler = {}}, "rectangle");
+  refused_as({.kind = Kind::cube, .texture = rectangle->texture, .sampler = {}}, "no cube");
+  refused_as({.kind = Kind::panorama, .texture = cube->texture, .sampler = {}}, "no rectangle");
   refused_as({.kind = Kind::sphere, .texture = std::make_shared<const Texture>(*Texture::create_depth(Image<float>(2, 2))), .sampler = {}}, "depths");
+  refused_as({.kind = static_cast<Kind>(9), .texture = cube->texture, .sampler = {}}, "kind is 9");
   EnvironmentMap skewed = *cube;
   skewed.map_from_world[1][2] = std::numeric_limits<float>::infinity();
-  refused_as(skewed, "matrix");
+  refused_as(skewed, "map_from_world[1]");
   EnvironmentMap odd = *cube;
   odd.sampler.max_anisotropy = 0;
   refused_as(odd, "anisotropy");
-  CHECK(refusal_of(EnvironmentMap{}) == nullptr);
+  CHECK_FALSE(refusal_of(EnvironmentMap{}));
   CHECK(looked_up({}, 0, 4).at(2, 2) == Rgba32F{0, 0, 0, 1});
 
   Image<Rgba32F> spoilt(4, 2);
