@@ -2,7 +2,11 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <cmath>
+
 #include "tests/shadows/shadow_scene.hpp"
+#include "tests/support/random.hpp"
 
 namespace tuberia {
 
@@ -62,6 +66,32 @@ TEST_CASE("shadow errors: acne without bias, detached shadows with too much of i
     CHECK(normal.dark + normal.light < 50);
     CHECK(constant.light > 5 * slope.light);
     CHECK(constant.dark < 50);
+  }
+}
+
+TEST_CASE("shadow errors: a factor of 1 keeps a plane clean at any tilt, filter and size of the map", "[shadows][A20]") {
+  test::Random random(431);
+  for (int round = 0; round < 120; ++round) {
+    test::ShadowScene scene;
+    scene.add(test::ground(4));
+    const int size = 32 << random.below(5), taps = 1 + static_cast<int>(random.below(4)), kind = static_cast<int>(random.below(3));
+    const float elevation = random.between(0.05f, 1.5f), azimuth = random.between(0, 6.28f), distance = random.between(6, 30);
+    const glm::vec3 towards(std::cos(elevation) * std::cos(azimuth), std::sin(elevation), std::cos(elevation) * std::sin(azimuth));
+    scene.light = kind == 0 ? Light{.kind = Light::Kind::directional, .towards = towards}
+                            : Light{.kind = Light::Kind::point, .towards = towards * (kind == 1 ? distance : 1.5f)};
+    INFO("seed 431, round " << round << ": light (" << scene.light.towards.x << ", " << scene.light.towards.y << ", " << scene.light.towards.z << "), kind " << kind
+         << ", " << size << " texels, " << taps << " taps");
+    Pipeline pipeline({.threads = 1});
+    ShadowMap map = kind == 2 ? test::value_of(draw_shadow_map(pipeline, scene.draws(), test::value_of(light_cube(scene.light, scene.bounds())), {.size = size}))
+                              : test::value_of(draw_shadow_map(pipeline, scene.draws(), scene.light, scene.bounds(), {.size = size}));
+    map.taps = taps;
+    scene.eye = test::eye_above(3.9);
+    for (const Biases& biases : {Biases{.constant = map.constant_bias, .slope = 1}, Biases{.constant = map.constant_bias, .normal = 1}}) {
+      const Image<Rgba32F> drawn = test::light_terms_picture(scene, {.light = scene.light, .shadow = with_biases(map, biases)}, kErrorsSide);
+      const auto dark = std::count_if(drawn.pixels().begin(), drawn.pixels().end(), [](const Rgba32F& p) { return p.r < 1; });
+      INFO("slope " << biases.slope);
+      CHECK(dark == 0);
+    }
   }
 }
 
