@@ -125,10 +125,12 @@ HWY_INLINE F lit_share(const ShadowMap& map, const MapPoint<F>& at, Int first_te
   return sum / (box * box);
 }
 
-/// V: how much of a light reaches a point, 0 to 1. n, l: unit, the surface's normal (without relief) and
-/// the direction to the light; light_cosine: theirs. Points that are not finite are lit. [A 1.3] [FIX 13]
+/// V: how much of a light reaches a point, 0 to 1; none where the surface is turned away. n, l: unit, the
+/// surface's normal (without relief) and the direction to the light. Outside of the light's view V is 1.
+/// Out of line, so that lights without shadow keep their registers.                   [A 1.3] [FIX 13]
 template <class F>
-HWY_INLINE F light_visibility(const ShadowMap& map, Vec3<F> point, Vec3<F> n, Vec3<F> l, F light_cosine) {
+HWY_NOINLINE F light_visibility(const ShadowMap& map, const Vec3<F>& point, const Vec3<F>& n, const Vec3<F>& l) {
+  const F light_cosine = dot(n, l);
   const Vec3<F> compared = biased_point(map, point, n, l, light_cosine);
   MapPoint<F> at;
   Int first_texel(0);
@@ -139,14 +141,15 @@ HWY_INLINE F light_visibility(const ShadowMap& map, Vec3<F> point, Vec3<F> n, Ve
   } else {
     at = map_point(map.map_from_world, compared);
   }
-  if (none(at.inside)) return F(1.0f);
-  return select(at.inside, lit_share(map, at, first_texel), F(1.0f));
+  const F open_sky = select(light_cosine > 0.0f, F(1.0f), F(0.0f));
+  if (none(at.inside)) return open_sky;
+  return select(at.inside, lit_share(map, at, first_texel), F(1.0f)) * open_sky;
 }
 
 /// The colour that a projector throws on a point; the texture's level follows from how much its coordinates
 /// change from fragment to fragment.
 template <class Fragment, class F>
-HWY_INLINE Vec3<F> projected_light(const Fragment& in, const ProjectedTexture& projected, Vec3<F> point) {
+HWY_NOINLINE Vec3<F> projected_light(const Fragment& in, const ProjectedTexture& projected, const Vec3<F>& point) {
   const MapPoint<F> at = map_point(projected.map_from_world, point);
   if (none(at.inside)) return Vec3<F>(F(0.0f));
   const Vec3<F> colour = in.sample(*projected.texture, projected.sampler, Vec2<F>{at.s, at.t}).rgb();

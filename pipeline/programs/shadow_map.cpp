@@ -20,48 +20,34 @@ Refusal check_matrix(const std::string& field, const glm::mat4& matrix) {
   return {};
 }
 
-Refusal check_texels(const glm::vec3& right, const glm::vec3& down) {
-  for (int i = 0; i < 3; ++i) {
-    if (Refusal refusal = check_finite("texel_right", right[i])) return refusal;
-    if (Refusal refusal = check_finite("texel_down", down[i])) return refusal;
-  }
-  return {};
+Refusal check_depths(const std::shared_ptr<const Texture>& depths) {
+  if (!depths) return Error{"depths is missing"};
+  if (depths->format() == TextureFormat::depth32f && (depths->kind() == TextureKind::two_dimensional || depths->kind() == TextureKind::cube)) return {};
+  return Error{"depths is not a rectangle or cube of depths (depth32f)"};
 }
 
-Refusal check(const ShadowMap& map) {
-  if (!map.depths) return Error{"the shadow map has no depths"};
-  const TextureKind kind = map.depths->kind();
-  if (map.depths->format() != TextureFormat::depth32f || (kind != TextureKind::two_dimensional && kind != TextureKind::cube))
-    return Error{"the shadow map's depths are not a rectangle or cube of depths (depth32f)"};
+}  // namespace
+
+Refusal refusal_of(const ShadowMap& map) {
+  if (Refusal refusal = check_depths(map.depths)) return refusal;
   if (map.taps < 1 || map.taps > ShadowMap::kMaxTaps)
     return Error{"taps is " + std::to_string(map.taps) + ", outside 1 to " + std::to_string(ShadowMap::kMaxTaps)};
   if (Refusal refusal = check_matrix("map_from_world", map.map_from_world)) return refusal;
-  if (Refusal refusal = check_texels(map.texel_right, map.texel_down)) return refusal;
-  if (Refusal refusal = check_finite("cube_depth.x", map.cube_depth.x)) return refusal;
-  if (Refusal refusal = check_finite("cube_depth.y", map.cube_depth.y)) return refusal;
+  if (Refusal refusal = check_finite("texel_right", map.texel_right)) return refusal;
+  if (Refusal refusal = check_finite("texel_down", map.texel_down)) return refusal;
+  if (Refusal refusal = check_finite("cube_depth", glm::vec3(map.cube_depth, 0))) return refusal;
   if (Refusal refusal = check_not_negative("depth_error", map.depth_error)) return refusal;
   if (Refusal refusal = check_not_negative("constant_bias", map.constant_bias)) return refusal;
   if (Refusal refusal = check_not_negative("slope_bias", map.slope_bias)) return refusal;
   return check_not_negative("normal_offset", map.normal_offset);
 }
 
-Refusal check(const ProjectedTexture& projected) {
-  if (!projected.texture) return Error{"the projected texture has no texture"};
-  if (projected.texture->kind() != TextureKind::two_dimensional) return Error{"the projected texture is not two-dimensional"};
+Refusal refusal_of(const ProjectedTexture& projected) {
+  if (!projected.texture) return Error{"texture is missing"};
+  if (projected.texture->kind() != TextureKind::two_dimensional) return Error{"texture is not two-dimensional"};
+  if (projected.texture->format() == TextureFormat::depth32f) return Error{"texture is one of depths"};
   if (const char* refusal = refusal_of(projected.sampler)) return Error{refusal};
   return check_matrix("map_from_world", projected.map_from_world);
 }
-
-const char* text_of(const Refusal& refusal) {
-  static thread_local std::string text;
-  if (!refusal) return nullptr;
-  text = refusal->message;
-  return text.c_str();
-}
-
-}  // namespace
-
-const char* refusal_of(const ShadowMap& map) { return text_of(check(map)); }
-const char* refusal_of(const ProjectedTexture& projected) { return text_of(check(projected)); }
 
 }  // namespace tuberia

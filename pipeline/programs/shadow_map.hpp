@@ -6,6 +6,7 @@
 #include <glm/vec3.hpp>
 #include <memory>
 
+#include "pipeline/fragment_program.hpp"
 #include "raster/sampler.hpp"
 #include "raster/texture.hpp"
 
@@ -46,9 +47,8 @@ struct ProjectedTexture {
 };
 
 /// Why nothing can be compared with this map, or thrown: no texture or one of another kind, a number that is
-/// not finite, a negative bias, taps out of range. Null when it can; the text lasts until the next one on
-/// this thread.
-const char* refusal_of(const ShadowMap& map);
-const char* refusal_of(const ProjectedTexture& projected);
+/// not finite, a negative bias, taps out of range. Names the field first.
+Refusal refusal_of(const ShadowMap& map);
+Refusal refusal_of(const ProjectedTexture& projected);
 
 }  // namespace tuberia

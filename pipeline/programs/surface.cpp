@@ -11,6 +11,7 @@
 #include "pipeline/programs/lighting-inl.hpp"
 #include "pipeline/programs/pattern-inl.hpp"
 #include "pipeline/programs/reflection-inl.hpp"
+#include "pipeline/programs/shadow-inl.hpp"
 #include "pipeline/programs/texture_access-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -41,11 +42,11 @@ class SurfaceFragment : public TextureReader<F> {
   Vec3<F> tangent_{F(0.0f)}, bitangent_{F(0.0f)};
 };
 
-/// What the lights are reflected by: the point, its normal (bumped, on the eye's side) and the direction
-/// to the eye, unit, and the colour that kd is multiplied with.
+/// What the lights are reflected by: the point, its normal (on the eye's side; with relief, and smooth, as
+/// what casts shadow is) and the direction to the eye, unit, and the colour that kd is multiplied with.
 template <class F>
 struct ShadedPoint {
-  Vec3<F> position, normal, to_eye, colour;
+  Vec3<F> position, normal, smooth_normal, to_eye, colour;
 };
 
 /// The pattern's or texture's colour and alpha.
@@ -59,7 +60,7 @@ HWY_INLINE Vec4<F> own_colour(SurfaceFragment<F>& in, const SurfaceColour& colou
 
 /// One light's part of the sum: V Ip falloff (own kd (N.L) + ks share).
 template <class F>
-HWY_INLINE Vec3<F> light_of(const SurfaceUniforms& surface, const SurfaceLight& source, const ShadedPoint<F>& at) {
+HWY_INLINE Vec3<F> light_of(const SurfaceFragment<F>& in, const SurfaceUniforms& surface, const SurfaceLight& source, const ShadedPoint<F>& at) {
   const Light& light = source.light;
   const Vec3<F> l = towards_light(light, at.position);
   const F cosine = dot(at.normal, l);
@@ -70,7 +71,8 @@ HWY_INLINE Vec3<F> light_of(const SurfaceUniforms& surface, const SurfaceLight& 
   if (surface.reflection.model != Reflection::lambert && surface.reflection.specular != glm::vec3(0))
     reflected = reflected + Vec3<F>(surface.reflection.specular) * specular_share(surface.reflection, at.normal, l, at.to_eye, cosine);
   if (is_attenuated(light)) reflected = reflected * attenuation(light, l, at.position);
-  // The light's visibility from here, 0 to 1, is multiplied in here, and the picture that it throws.
+  if (source.shadow) reflected = reflected * light_visibility(*source.shadow, at.position, at.smooth_normal, l);
+  if (source.projected) reflected = reflected * projected_light(in, *source.projected, at.position);
   reflected = Vec3<F>(light.intensity) * reflected;
   const F none_at_all(0.0f);
   return {select(is_lit, reflected.x, none_at_all), select(is_lit, reflected.y, none_at_all), select(is_lit, reflected.z, none_at_all)};
@@ -92,11 +94,12 @@ HWY_NOINLINE Vec4<F> shade_surface(SurfaceFragment<F>& in, const SurfaceUniforms
   // Which side is seen remains the smooth normal's to say.
   const Vec3<F> bumped = bumped_normal(in, surface.bump, in.texcoord(), SurfaceBasis<F>{in.tangent(), in.bitangent(), smooth});
   const Vec3<F> normal = surface.two_sided ? turned_to(smooth, to_eye, bumped) : bumped;
+  const Vec3<F> smooth_normal = surface.two_sided ? turned_to(smooth, to_eye, smooth) : smooth;
 
   const Vec4<F> own = own_colour(in, surface.colour, surface.eye);
-  const ShadedPoint<F> at{position, normal, to_eye, own.rgb()};
+  const ShadedPoint<F> at{position, normal, smooth_normal, to_eye, own.rgb()};
   Vec3<F> sum = at.colour * Vec3<F>(surface.reflection.ambient * surface.ambient_light);
-  for (const SurfaceLight& light : surface.lights) sum = sum + light_of(surface, light, at);
+  for (const SurfaceLight& light : surface.lights) sum = sum + light_of(in, surface, light, at);
   if (surface.environment.kind != EnvironmentMap::Kind::none && surface.mirror != glm::vec3(0))
     sum = sum + Vec3<F>(surface.mirror) * environment_radiance(in, surface.environment, reflect(-to_eye, normal));
   if (surface.overflow == Overflow::hue_preserving) sum = divided_by_largest(sum);

@@ -44,6 +44,15 @@ Refusal check_texture(const std::string& field, const std::shared_ptr<const Text
   return {};
 }
 
+Refusal check_light(const SurfaceLight& light) {
+  if (Refusal refusal = refusal_of(light.light)) return refusal;
+  if (light.shadow)
+    if (const Refusal refusal = refusal_of(*light.shadow)) return Error{"shadow." + refusal->message};
+  if (light.projected)
+    if (const Refusal refusal = refusal_of(*light.projected)) return Error{"projected." + refusal->message};
+  return {};
+}
+
 }  // namespace
 
 Refusal refusal_of(const SurfaceUniforms& uniforms) {
@@ -59,10 +68,8 @@ Refusal refusal_of(const SurfaceUniforms& uniforms) {
   if (Refusal refusal = refusal_of(colour.access)) return refusal;
   if (Refusal refusal = refusal_of(uniforms.bump)) return refusal;
   if (const Refusal refusal = refusal_of(uniforms.environment)) return Error{"environment: " + refusal->message};
-  // What shadows refuse is asked here, too.
   for (std::size_t i = 0; i < uniforms.lights.size(); ++i)
-    if (const Refusal refusal = refusal_of(uniforms.lights[i].light))
-      return Error{"lights[" + std::to_string(i) + "]." + refusal->message};
+    if (const Refusal refusal = check_light(uniforms.lights[i])) return Error{"lights[" + std::to_string(i) + "]." + refusal->message};
   return {};
 }
 

@@ -19,6 +19,9 @@ constexpr double kWindowSlack = 1.0 / 128, kPlaneSlack = 1e-3;
 // The near plane's smallest distance, in far planes: nearer, a float's depths get too coarse at the far end.
 constexpr double kNearestPlane = 1e-3;
 
+// Wider spots (80 degrees from their axis) are seen as points are: a plane stretches what is far from its middle.
+constexpr float kLeastSpotCosine = 0.17f;
+
 bool is_finite(const glm::dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 /// Some direction across the line of sight.
@@ -71,6 +74,18 @@ ViewVolume window_around(const ViewExtent& extent, double slack) {
   return {.left = extent.smallest.x - slack, .right = extent.largest.x + slack, .bottom = extent.smallest.y - slack, .top = extent.largest.y + slack};
 }
 
+/// The window on the plane at distance 1 through which an eye sees a box that is wholly before it.
+ViewVolume window_at_one(const Bounds& box, const CameraBasis& basis, const glm::dvec3& eye) {
+  const ViewExtent extent = extent_of(box, basis, eye, [](const glm::dvec3& p) { return glm::dvec3(p.x / p.z, p.y / p.z, p.z); });
+  const glm::dvec3 size = extent.largest - extent.smallest;
+  return window_around(extent, std::max({size.x, size.y, kPlaneSlack}) * kWindowSlack);
+}
+
+ViewVolume window_at(const ViewVolume& at_one, double near_distance, double far_distance) {
+  return {.left = at_one.left * near_distance, .right = at_one.right * near_distance, .bottom = at_one.bottom * near_distance,
+          .top = at_one.top * near_distance, .near_distance = near_distance, .far_distance = far_distance};
+}
+
 Result<Camera> directional_camera(const glm::dvec3& towards, const Bounds& seen) {
   if (!(glm::length(towards) > 0)) return Error{"the light's direction is zero"};
   const glm::dvec3 eye(seen.centre());
@@ -94,13 +109,31 @@ Result<Camera> positional_camera(const glm::dvec3& position, const Bounds& seen)
   if (!basis) return inside;
   const ViewExtent distances = extent_of(seen, *basis, position, [](const glm::dvec3& p) { return p; });
   if (!(distances.smallest.z > kNearestPlane * distances.largest.z)) return inside;
-  const ViewExtent extent = extent_of(seen, *basis, position, [](const glm::dvec3& p) { return glm::dvec3(p.x / p.z, p.y / p.z, p.z); });
+  camera.view = window_at(window_at_one(seen, *basis, position), distances.smallest.z * (1 - kPlaneSlack), distances.largest.z * (1 + kPlaneSlack));
+  return camera;
+}
 
-  const glm::dvec3 size = extent.largest - extent.smallest;
-  const double near_distance = distances.smallest.z * (1 - kPlaneSlack);
-  const ViewVolume at_one = window_around(extent, std::max({size.x, size.y, kPlaneSlack}) * kWindowSlack);
-  camera.view = {.left = at_one.left * near_distance, .right = at_one.right * near_distance, .bottom = at_one.bottom * near_distance,
-                 .top = at_one.top * near_distance, .near_distance = near_distance, .far_distance = distances.largest.z * (1 + kPlaneSlack)};
+/// Along the axis, as wide as the cone or as the box if that is narrower.
+Result<Camera> spot_camera(const Light& spot, const Bounds& seen) {
+  const glm::dvec3 position(spot.towards), axis(spot.axis);
+  if (!(glm::length(axis) > 0)) return Error{"the spot's axis is zero"};
+  Camera camera{.eye = position, .point_of_interest = position + axis, .up = up_for(axis)};
+  const auto basis = camera_basis(camera.eye, camera.point_of_interest, camera.up);
+  if (!basis) return basis.error();
+  const ViewExtent distances = extent_of(seen, *basis, position, [](const glm::dvec3& p) { return p; });
+  if (!(distances.largest.z > 0)) return Error{"what the spot is to see lies behind it"};
+
+  const double far_distance = distances.largest.z * (1 + kPlaneSlack);
+  const double near_distance = std::max(distances.smallest.z * (1 - kPlaneSlack), far_distance * kNearestPlane);
+  const auto cosine = static_cast<double>(spot.cos_outer);
+  const double tangent = std::sqrt(1 - cosine * cosine) / cosine * (1 + 2 * kWindowSlack);
+  ViewVolume at_one{.left = -tangent, .right = tangent, .bottom = -tangent, .top = tangent};
+  if (distances.smallest.z > kNearestPlane * distances.largest.z) {
+    const ViewVolume box = window_at_one(seen, *basis, position);
+    at_one = {.left = std::max(at_one.left, box.left), .right = std::min(at_one.right, box.right), .bottom = std::max(at_one.bottom, box.bottom), .top = std::min(at_one.top, box.top)};
+    if (!(at_one.left < at_one.right && at_one.bottom < at_one.top)) return Error{"what the spot is to see lies outside of its cone"};
+  }
+  camera.view = window_at(at_one, near_distance, far_distance);
   return camera;
 }
 
@@ -109,6 +142,7 @@ std::optional<Error> check(const Light& light, const Bounds& seen) {
   if (seen.empty()) return Error{"the box that the light is to see is empty"};
   if (!is_finite(seen.lower) || !is_finite(seen.upper)) return Error{"the box that the light is to see is not finite"};
   if (!is_finite(light.towards)) return Error{"the light's direction or position is not finite"};
+  if (light.kind == Light::Kind::spot && !is_finite(light.axis)) return Error{"the spot's axis is not finite"};
   return {};
 }
 
@@ -145,7 +179,9 @@ Result<LightView> light_view(const Camera& camera) {
 
 Result<Camera> light_camera(const Light& light, const Bounds& seen) {
   if (auto error = check(light, seen)) return *std::move(error);
-  auto camera = light.kind == Light::Kind::directional ? directional_camera(light.towards, seen) : positional_camera(light.towards, seen);
+  const bool is_narrow = light.kind == Light::Kind::spot && light.cos_outer >= kLeastSpotCosine;
+  auto camera = is_narrow ? spot_camera(light, seen)
+                : light.kind == Light::Kind::directional ? directional_camera(light.towards, seen) : positional_camera(light.towards, seen);
   if (camera) camera->clip_volume = ClipVolume::zero_to_w;
   return camera;
 }

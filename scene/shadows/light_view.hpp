@@ -6,7 +6,7 @@
 
 #include "base/result.hpp"
 #include "math/camera.hpp"
-#include "pipeline/state.hpp"
+#include "pipeline/lighting.hpp"
 #include "scene/bounds.hpp"
 
 namespace tuberia {
@@ -25,8 +25,9 @@ struct LightView {
 Result<LightView> light_view(const Camera& camera);
 
 /// The camera that shows a light the whole of a box (world space) and little more: a parallel view for a
-/// directional light, a perspective one for a point. Error for an empty box, numbers that are not finite,
-/// a direction that is zero, and a point light that is not outside of the box.
+/// directional light, a perspective one for a point; for a spot, of the box what lies in its cone. Error for
+/// an empty box, numbers that are not finite, a direction that is zero, a point light that is not outside of
+/// the box, and a spot that sees nothing of it. Spots wider than 80 degrees from their axis count as points.
 Result<Camera> light_camera(const Light& light, const Bounds& seen);
 
 /// light_view of light_camera, with the errors of both.

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "tests/shadows/shadow_scene.hpp"
+#include "tests/support/shadow_scenes.hpp"
 
 namespace tuberia {
 
@@ -40,7 +40,7 @@ struct TiltedFloor {
     biased.constant_bias = constant;
     biased.slope_bias = slope;
     biased.normal_offset = normal_offset;
-    return test::light_terms_picture(scene, {.light = scene.light, .shadow = biased}, 512);
+    return test::visibility_picture(scene, biased, 512);
   }
 
   int acne(double constant, float slope, float normal_offset) const {
@@ -94,7 +94,7 @@ TEST_CASE("shadow maps: the outline of a square's shadow", "[extremes][case-56]"
   const LightView view = test::value_of(light_view(scene.light, scene.bounds()));
   for (const int size : {256, 1024}) {
     const ShadowMap map = test::shadow_map_of(scene, view, {.size = size});
-    const Image<Rgba32F> drawn = test::light_terms_picture(scene, {.light = scene.light, .shadow = map}, 1024);
+    const Image<Rgba32F> drawn = test::visibility_picture(scene, map, 1024);
     // The longest side of a texel's footprint on the floor.
     const double texel = std::max(glm::length(map.texel_right), glm::length(map.texel_down)) / scene.light.towards.y, pixel = 4.0 / 1024;
     double area = 0;

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/shadows/shadow_scene.hpp"
+#include "tests/support/shadow_scenes.hpp"
 #include "tests/support/random.hpp"
 
 namespace tuberia {
@@ -21,7 +21,7 @@ struct WrongPixels {
 
 /// Over what faces the light.
 WrongPixels wrong_pixels(const test::ShadowScene& scene, const ShadowMap& map) {
-  const Image<Rgba32F> drawn = test::light_terms_picture(scene, {.light = scene.light, .shadow = map}, kErrorsSide);
+  const Image<Rgba32F> drawn = test::visibility_picture(scene, map, kErrorsSide);
   const test::RayScene rays = scene.rays();
   WrongPixels wrong;
   for (int y = 0; y < kErrorsSide; ++y)
@@ -87,7 +87,7 @@ TEST_CASE("shadow errors: a factor of 1 keeps a plane clean at any tilt, filter 
     map.taps = taps;
     scene.eye = test::eye_above(3.9);
     for (const Biases& biases : {Biases{.constant = map.constant_bias, .slope = 1}, Biases{.constant = map.constant_bias, .normal = 1}}) {
-      const Image<Rgba32F> drawn = test::light_terms_picture(scene, {.light = scene.light, .shadow = with_biases(map, biases)}, kErrorsSide);
+      const Image<Rgba32F> drawn = test::visibility_picture(scene, with_biases(map, biases), kErrorsSide);
       const auto dark = std::count_if(drawn.pixels().begin(), drawn.pixels().end(), [](const Rgba32F& p) { return p.r < 1; });
       INFO("slope " << biases.slope);
       CHECK(dark == 0);
@@ -118,7 +118,7 @@ TEST_CASE("shadow errors: they show when the observer is close and the light far
   int before = 1 << 30;
   for (const double half_width : {0.25, 1.0, 4.0}) {
     scene.eye = test::eye_above(half_width);
-    const Image<Rgba32F> drawn = test::light_terms_picture(scene, {.light = scene.light, .shadow = map}, kErrorsSide);
+    const Image<Rgba32F> drawn = test::visibility_picture(scene, map, kErrorsSide);
     int wrong = 0;
     for (int y = 0; y < kErrorsSide; ++y)
       for (int x = 0; x < kErrorsSide; ++x) {

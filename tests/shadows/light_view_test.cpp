@@ -2,7 +2,9 @@
 
 #include <catch2/catch.hpp>
 
-#include "tests/shadows/shadow_scene.hpp"
+#include <cmath>
+
+#include "tests/support/shadow_scenes.hpp"
 #include "tests/support/random.hpp"
 
 namespace tuberia {
@@ -101,6 +103,35 @@ TEST_CASE("light views: a lamp over a wide floor turns towards the middle of wha
       CHECK(corner.w > 0);
       CHECK((corner.x > 0 && corner.x < 1 && corner.y > 0 && corner.y < 1));
     }
+}
+
+TEST_CASE("light views: a spot sees along its axis, its cone or the box, whichever is narrower", "[shadows][A14]") {
+  const double angle = 0.5;
+  Light spot{.kind = Light::Kind::spot, .towards = {0, 5, 0}, .axis = {0, -1, 0}, .cos_inner = static_cast<float>(std::cos(0.4)), .cos_outer = static_cast<float>(std::cos(angle))};
+  const LightView cone = test::value_of(light_view(spot, box_of({-50, 0, -50}, {50, 8, 50})));
+  for (int i = 0; i < 16; ++i) {
+    const double azimuth = i * 0.3926990816987241, r = 5 * std::tan(angle);
+    const glm::dvec4 edge = on_map(cone, {r * std::cos(azimuth), 0, r * std::sin(azimuth)});
+    CHECK((edge.x > 0.005 && edge.x < 0.995 && edge.y > 0.005 && edge.y < 0.995 && edge.z > 0.9 && edge.z <= 1));
+    CHECK(std::max(std::abs(edge.x - 0.5), std::abs(edge.y - 0.5)) > 0.3);
+  }
+  const LightView narrow = test::value_of(light_view(spot, box_of({-0.5f, 0, -0.5f}, {0.5f, 1, 0.5f})));
+  CHECK(glm::length(narrow.right) < 0.27);
+  CHECK(on_map(narrow, {0.5, 1, 0.5}).x < 1);
+
+  const Bounds box = box_of({-1, 0, -1}, {1, 1, 1});
+  spot.axis = {0, 1, 0};
+  CHECK(refusal_of_view(spot, box) == "what the spot is to see lies behind it");
+  spot.axis = {0, 0, 0};
+  CHECK(refusal_of_view(spot, box) == "the spot's axis is zero");
+  spot.axis = {0, std::numeric_limits<float>::quiet_NaN(), 0};
+  CHECK(refusal_of_view(spot, box) == "the spot's axis is not finite");
+  spot.axis = {0.8f, -0.6f, 0};
+  CHECK(refusal_of_view(spot, box) == "what the spot is to see lies outside of its cone");
+  // Half a sphere is more than one picture shows well: as a point.
+  spot.axis = {0, 1, 0};
+  spot.cos_inner = spot.cos_outer = 0;
+  CHECK(refusal_of_view(spot, box) == "");
 }
 
 TEST_CASE("light views: what cannot be seen is refused by name", "[shadows]") {

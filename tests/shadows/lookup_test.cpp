@@ -5,11 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/shadows/light_terms.hpp"
 #include "tests/support/every_instruction_set.hpp"
 #include "tests/support/random.hpp"
-#include "tests/support/render.hpp"
-#include "tests/support/shapes.hpp"
+#include "tests/support/shadow_scenes.hpp"
 
 namespace tuberia {
 
@@ -38,14 +36,18 @@ test::Mesh middle_square(const glm::vec3& normal = {0, 0, 1}) { return test::rec
 
 const Light kOverhead{.kind = Light::Kind::directional, .towards = {0, 0, 1}};
 
-Image<Rgba32F> terms(const test::LightTermsUniforms& uniforms, const test::Mesh& mesh = middle_square(), InstructionSet set = best_instruction_set(), Precision precision = Precision::exact) {
-  return test::render(mesh, test::light_terms(uniforms), {}, {.width = kLookupSide, .height = kLookupSide, .colour = ColourFormat::rgba32f,
-                      .options = {.threads = 1, .instruction_set = set, .precision = precision}}).linear;
+/// V of each pixel in its red.
+Image<Rgba32F> visibility(const Light& light, const ShadowMap& map, const test::Mesh& mesh = middle_square(), InstructionSet set = best_instruction_set(), Precision precision = Precision::exact) {
+  const auto picture = [&](const SurfaceLight& source) {
+    return test::render(mesh, test::matt(source), {}, {.width = kLookupSide, .height = kLookupSide, .colour = ColourFormat::rgba32f,
+                        .options = {.threads = 1, .instruction_set = set, .precision = precision}}).linear;
+  };
+  return test::divided(picture({light, map, {}}), picture({light, {}, {}}));
 }
 
-std::vector<float> visibilities(const test::LightTermsUniforms& uniforms, const test::Mesh& mesh = middle_square(), InstructionSet set = best_instruction_set()) {
+std::vector<float> visibilities(const Light& light, const ShadowMap& map, const test::Mesh& mesh = middle_square(), InstructionSet set = best_instruction_set()) {
   std::vector<float> reds;
-  const Image<Rgba32F> drawn = terms(uniforms, mesh, set);
+  const Image<Rgba32F> drawn = visibility(light, map, mesh, set);
   for (const Rgba32F& pixel : drawn.pixels()) reds.push_back(pixel.r);
   return reds;
 }
@@ -74,7 +76,7 @@ TEST_CASE("shadow look-ups: the share of a box of texels that lets light pass", 
   for (const int taps : {1, 2, 3, 4, 8}) {
     const ShadowMap map = made_up_map(depths, taps);
     test::for_every_machine([&](InstructionSet set, Precision precision) {
-      const Image<Rgba32F> drawn = terms({.light = kOverhead, .shadow = map}, middle_square(), set, precision);
+      const Image<Rgba32F> drawn = visibility(kOverhead, map, middle_square(), set, precision);
       for (int j = 0; j < kLookupSide; ++j)
         for (int i = 0; i < kLookupSide; ++i) {
           const double s = 0.9 * ((i + 0.5) / kLookupSide * 2 - 1) + 0.5, t = 0.5 - 0.6 * (1 - (j + 0.5) / kLookupSide * 2);
@@ -93,7 +95,7 @@ TEST_CASE("shadow look-ups: where all is lit V is 1, where nothing is 0, to the 
       for (float& d : depths.pixels()) d = depth;
       ShadowMap map = made_up_map(depths, taps);
       map.map_from_world[0].x = map.map_from_world[1].y = 0.47f;
-      for (const float v : visibilities({.light = kOverhead, .shadow = map})) REQUIRE(v == (depth > 0.5f ? 1.0f : 0.0f));
+      for (const float v : visibilities(kOverhead, map)) REQUIRE(v == (depth > 0.5f ? 1.0f : 0.0f));
     }
 }
 
@@ -102,13 +104,13 @@ TEST_CASE("shadow look-ups: behind the light and beyond its far plane", "[shadow
   ShadowMap map = made_up_map(depths, 1);
   map.map_from_world[3].w = -1;  // w = -1 everywhere: behind
   map.map_from_world[3].x = map.map_from_world[3].y = -0.5f;
-  for (const float v : visibilities({.light = kOverhead, .shadow = map})) REQUIRE(v == 1.0f);
+  for (const float v : visibilities(kOverhead, map)) REQUIRE(v == 1.0f);
 
   // Beyond the far plane what was drawn still casts shadow, and where nothing was drawn nothing does.
   map = made_up_map(depths, 1);
   map.map_from_world[3].z = 1;
   map.map_from_world[0].x = map.map_from_world[1].y = 0.4f;
-  const std::vector<float> beyond = visibilities({.light = kOverhead, .shadow = map});
+  const std::vector<float> beyond = visibilities(kOverhead, map);
   const auto lit = std::count(beyond.begin(), beyond.end(), 1.0f);
   CHECK(lit > kLookupSide * kLookupSide / 10);
   CHECK(lit < kLookupSide * kLookupSide / 2);
@@ -125,15 +127,15 @@ TEST_CASE("shadow look-ups: the same bits on every instruction set", "[shadows][
   map.map_from_world[1].w = 0.3f;
   const Light lamp{.kind = Light::Kind::point, .towards = {0.3f, 0.2f, 1.5f}};
   const test::Mesh mesh = middle_square({0.2f, -0.3f, 0.9f});
-  const Image<Rgba32F> first = terms({.light = lamp, .shadow = map}, mesh, InstructionSet::baseline);
-  test::for_every_instruction_set([&](InstructionSet set) { CHECK(terms({.light = lamp, .shadow = map}, mesh, set) == first); });
+  const Image<Rgba32F> first = visibility(lamp, map, mesh, InstructionSet::baseline);
+  test::for_every_instruction_set([&](InstructionSet set) { CHECK(visibility(lamp, map, mesh, set) == first); });
 }
 
 TEST_CASE("shadow look-ups: numbers that are not finite, and lights at the surface, stay within 0 and 1", "[shadows][A18]") {
   const Image<float> depths = random_depths(7, 5);
   const auto check = [&](const ShadowMap& map, const Light& light, const glm::vec3& normal) {
     test::for_every_instruction_set([&](InstructionSet set) {
-      for (const float v : visibilities({.light = light, .shadow = map}, middle_square(normal), set)) REQUIRE((v >= 0.0f && v <= 1.0f));
+      for (const float v : visibilities(light, map, middle_square(normal), set)) REQUIRE((v >= 0.0f && v <= 1.0f));
     });
   };
   const auto nan = std::numeric_limits<float>::quiet_NaN();
@@ -151,37 +153,38 @@ TEST_CASE("shadow look-ups: numbers that are not finite, and lights at the surfa
   huge.constant_bias = 3e38f;
   huge.texel_right = glm::vec3(3e38f);
   check(huge, kOverhead, {1, 1, 1});
-  // What is no number is not in the light's view.
-  for (const float v : visibilities({.light = kOverhead, .shadow = map}, middle_square({nan, nan, nan}))) REQUIRE(v == 1.0f);
+  // A surface whose normal is no number faces no light, nor does one that is turned away.
+  for (const glm::vec3& normal : {glm::vec3(nan), glm::vec3(0, 0, -1), glm::vec3(0)})
+    for (const float v : visibilities(kOverhead, map, middle_square(normal))) REQUIRE(v == 0.0f);
 }
 
 TEST_CASE("shadow look-ups: maps that cannot be compared with are refused by name", "[shadows]") {
   const ShadowMap good = made_up_map(random_depths(7, 5), 1);
-  CHECK(refusal_of(good) == nullptr);
+  CHECK_FALSE(refusal_of(good));
   const auto refused = [&](auto&& spoil) {
     ShadowMap map = good;
     spoil(map);
-    const char* text = refusal_of(map);
-    return std::string(text ? text : "");
+    const Refusal refusal = refusal_of(map);
+    return refusal ? refusal->message : std::string();
   };
   const auto nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
-  CHECK(refused([](ShadowMap& m) { m.depths = nullptr; }) == "the shadow map has no depths");
-  CHECK(refused([](ShadowMap& m) { m.depths = test::texture_of(Image<Rgba8>(4, 4)); }) == "the shadow map's depths are not a rectangle or cube of depths (depth32f)");
+  CHECK(refused([](ShadowMap& m) { m.depths = nullptr; }) == "depths is missing");
+  CHECK(refused([](ShadowMap& m) { m.depths = test::texture_of(Image<Rgba8>(4, 4)); }) == "depths is not a rectangle or cube of depths (depth32f)");
   CHECK(refused([](ShadowMap& m) { m.taps = 0; }) == "taps is 0, outside 1 to 8");
   CHECK(refused([](ShadowMap& m) { m.taps = 9; }) == "taps is 9, outside 1 to 8");
   CHECK(refused([&](ShadowMap& m) { m.map_from_world[2].y = nan; }) == "map_from_world is nan; it must be finite");
-  CHECK(refused([&](ShadowMap& m) { m.texel_down.z = infinity; }) == "texel_down is inf; it must be finite");
+  CHECK(refused([&](ShadowMap& m) { m.texel_down.z = infinity; }) == "texel_down.z is inf; it must be finite");
   CHECK(refused([&](ShadowMap& m) { m.cube_depth.y = nan; }) == "cube_depth.y is nan; it must be finite");
   CHECK(refused([](ShadowMap& m) { m.slope_bias = -1; }) == "slope_bias is -1; it must be finite and not negative");
   CHECK(refused([&](ShadowMap& m) { m.constant_bias = nan; }) == "constant_bias is nan; it must be finite and not negative");
   CHECK(refused([&](ShadowMap& m) { m.normal_offset = infinity; }) == "normal_offset is inf; it must be finite and not negative");
   CHECK(refused([](ShadowMap& m) { m.depth_error = -1; }) == "depth_error is -1; it must be finite and not negative");
 
-  CHECK(std::string(refusal_of(ProjectedTexture{})) == "the projected texture has no texture");
+  CHECK(refusal_of(ProjectedTexture{})->message == "texture is missing");
   ProjectedTexture projected{.texture = test::texture_of(Image<Rgba8>(4, 4))};
-  CHECK(refusal_of(projected) == nullptr);
+  CHECK_FALSE(refusal_of(projected));
   projected.sampler.max_anisotropy = 0;
-  CHECK(std::string(refusal_of(projected)) == "the sampler's max_anisotropy is 0, outside 1 to 16");
+  CHECK(refusal_of(projected)->message == "the sampler's max_anisotropy is 0, outside 1 to 16");
 }
 
 }  // namespace tuberia

@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "tests/shadows/shadow_scene.hpp"
+#include "tests/support/shadow_scenes.hpp"
 
 namespace tuberia {
 
@@ -16,11 +16,9 @@ const Rgba32F& seen_at(const Image<Rgba32F>& picture, double half_width, double 
   return picture.at(pixel(x), pixel(z));
 }
 
-Image<Rgba32F> floor_picture(test::ShadowScene& scene, double half_width, test::LightTermsUniforms uniforms, int map_size = 1024) {
+Image<Rgba32F> floor_picture(test::ShadowScene& scene, double half_width) {
   scene.eye = test::eye_above(half_width);
-  if (!uniforms.shadow) uniforms.shadow = test::shadow_map_of(scene, test::value_of(light_view(scene.light, scene.bounds())), {.size = map_size});
-  uniforms.light = scene.light;
-  return test::light_terms_picture(scene, uniforms, kFloorSide);
+  return test::visibility_picture(scene, test::shadow_map_of(scene, test::value_of(light_view(scene.light, scene.bounds()))), kFloorSide);
 }
 
 /// The direction in which what is dark lies, by its second moments, degrees from the x axis; left: x < 0.
@@ -43,7 +41,7 @@ TEST_CASE("shadows: of three points on the floor the middle one is behind someth
   scene.add(test::ground(8));
   scene.add_unseen(test::rectangle({0, 0, -3}, {0, 0, 6}, {0, 2, 0}, {-1, 0, 0}));
   scene.light = {.kind = Light::Kind::point, .towards = {-4, 4, 0}};
-  const Image<Rgba32F> picture = floor_picture(scene, 8, {});
+  const Image<Rgba32F> picture = floor_picture(scene, 8);
   const auto v = [&](double x) { return seen_at(picture, 8, x, 0).r; };
   CHECK(v(-2) == 1.0f);
   CHECK(v(2) == 0.0f);
@@ -58,13 +56,13 @@ TEST_CASE("shadows: those of a sun are parallel, those of a lamp spread", "[shad
   scene.add(test::ground(8));
   for (const float x : {-2.0f, 2.0f}) scene.add_unseen(test::box({x - 0.05f, 0, -0.05f}, {x + 0.05f, 1.5f, 0.05f}));
   scene.light = {.kind = Light::Kind::directional, .towards = glm::normalize(glm::vec3(-1, 1.5f, -2))};
-  const Image<Rgba32F> by_sun = floor_picture(scene, 5, {});
+  const Image<Rgba32F> by_sun = floor_picture(scene, 5);
   const double along_the_sun = std::atan2(2.0, 1.0) * 180 / 3.14159265358979323846;
   CHECK(direction_of_shadow(by_sun, true) == Approx(along_the_sun).margin(0.5));
   CHECK(direction_of_shadow(by_sun, false) == Approx(along_the_sun).margin(0.5));
 
   scene.light = {.kind = Light::Kind::point, .towards = {0, 4, -4}};
-  const Image<Rgba32F> by_lamp = floor_picture(scene, 5, {});
+  const Image<Rgba32F> by_lamp = floor_picture(scene, 5);
   const double right = std::atan2(4.0, 2.0) * 180 / 3.14159265358979323846;
   CHECK(direction_of_shadow(by_lamp, false) == Approx(right).margin(1.0));
   CHECK(direction_of_shadow(by_lamp, true) == Approx(-right).margin(1.0));
@@ -83,7 +81,8 @@ TEST_CASE("projected pictures: each texel falls where the light's rays take it",
     for (int i = 0; i < 4; ++i) slide.at(i, j) = {static_cast<std::uint8_t>(60 * i + 30), static_cast<std::uint8_t>(60 * j + 30), 200, 255};
   const ProjectedTexture projected{.texture = test::texture_of(slide), .map_from_world = view.map_from_world,
                                    .sampler = {.texels = TexelFilter::nearest, .mipmaps = MipmapFilter::none, .wrap_u = Wrap::clamp, .wrap_v = Wrap::clamp}};
-  const Image<Rgba32F> picture = floor_picture(scene, 6, {.light = {}, .shadow = test::shadow_map_of(scene, view), .projected = projected});
+  scene.eye = test::eye_above(6);
+  const Image<Rgba32F> picture = test::visibility_picture(scene, test::shadow_map_of(scene, view), kFloorSide, projected);
   for (int j = 0; j < 4; ++j)
     for (int i = 0; i < 4; ++i) {
       const Rgba32F& at = seen_at(picture, 6, 2 * i - 3 + 0.2, 2 * j - 3 + 0.2);
@@ -105,7 +104,8 @@ TEST_CASE("projected pictures: nothing is thrown backwards", "[shadows][A19]") {
   const Camera projector{.eye = {0, 4, 0}, .point_of_interest = {0, 0, 0}, .up = {0, 0, -1}, .view = *perspective_volume(1.5707963267948966, 1, 0.5, 10)};
   const ProjectedTexture projected{.texture = test::texture_of(test::checkerboard(8, 1, {255, 255, 255, 255}, {255, 0, 0, 255})),
                                    .map_from_world = test::value_of(light_view(projector)).map_from_world};
-  const Image<Rgba32F> picture = test::light_terms_picture(scene, {.light = {}, .projected = projected}, 64);
+  scene.light = {.kind = Light::Kind::directional, .towards = {0, 1, 0}};
+  const Image<Rgba32F> picture = test::visibility_picture(scene, {}, 64, projected);
   for (const Rgba32F& pixel : picture.pixels()) REQUIRE(pixel.r == 0.0f);
 }
 

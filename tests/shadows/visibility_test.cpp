@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "tests/shadows/shadow_scene.hpp"
+#include "tests/support/shadow_scenes.hpp"
 
 namespace tuberia {
 
@@ -50,10 +50,11 @@ bool is_near_edge(const test::RayScene& rays, const Light& light, const TexelSid
   return false;
 }
 
-Agreement compare_with_rays(const test::ShadowScene& scene, const Light& light, int map_size, int picture_size) {
+Agreement compare_with_rays(test::ShadowScene scene, const Light& light, int map_size, int picture_size) {
+  scene.light = light;
   Pipeline pipeline({.threads = 1});
   const ShadowMap map = test::value_of(draw_shadow_map(pipeline, scene.draws(), light, scene.bounds(), {.size = map_size}));
-  const Image<Rgba32F> drawn = test::light_terms_picture(scene, {.light = light, .shadow = map}, picture_size);
+  const Image<Rgba32F> drawn = test::visibility_picture(scene, map, picture_size);
   const test::RayScene rays = scene.rays();
   Agreement agreement;
   for (int y = 0; y < picture_size; ++y)
@@ -64,6 +65,7 @@ Agreement compare_with_rays(const test::ShadowScene& scene, const Light& light, 
       const glm::dvec3 point = ray.at(hit.t), l = test::to_light(light, point);
       // Where a surface is turned away its light is 0 whatever V.
       if (glm::dot(hit.shading_normal, l) <= 0) continue;
+      if (light.kind == Light::Kind::spot && glm::dot(glm::normalize(-l), glm::dvec3(light.axis)) < light.cos_outer) continue;
       if (is_near_edge(rays, light, texel_at(map, point), point, hit.normal)) {
         ++agreement.near_edges;
         continue;
@@ -103,6 +105,13 @@ TEST_CASE("shadows: away from edges maps and rays agree, for a lamp among what i
   test::ShadowScene from_below = scene;
   from_below.eye = test::eye_at({-2.9, 0.3, -2.9}, {1.5, 2.2, 1.5});
   check_agreement("room from below", compare_with_rays(from_below, lamp, 512, 96));
+}
+
+TEST_CASE("shadows: away from edges maps and rays agree, for a spot among what it lights", "[shadows][A18][A14][C38]") {
+  const Light spot{.kind = Light::Kind::spot, .towards = {1.9f, 2.5f, 1.6f}, .axis = glm::normalize(glm::vec3(-2, -1.6f, -2.2f)), .cos_inner = 0.8f, .cos_outer = 0.8f};
+  const test::ShadowScene scene = test::room();
+  REQUIRE(light_view(spot, scene.bounds()));
+  check_agreement("room", compare_with_rays(scene, spot, 512, 96));
 }
 
 }  // namespace tuberia

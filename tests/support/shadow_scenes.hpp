@@ -7,9 +7,9 @@
 #include <glm/matrix.hpp>
 #include <vector>
 
+#include "pipeline/programs/surface.hpp"
 #include "scene/shadows/light_view.hpp"
 #include "scene/shadows/shadow_pass.hpp"
-#include "tests/shadows/light_terms.hpp"
 #include "tests/support/render.hpp"
 #include "tests/support/shadow_rays.hpp"
 #include "tests/support/shapes.hpp"
@@ -76,17 +76,39 @@ inline ShadowMap shadow_map_of(const ShadowScene& scene, const LightView& view, 
   return value_of(draw_shadow_map(pipeline, scene.draws(), view, pass));
 }
 
-/// What light_terms gives at each pixel; the background has the alpha -2.
-inline Image<Rgba32F> light_terms_picture(const ShadowScene& scene, const LightTermsUniforms& uniforms, int size, const PipelineOptions& options = {.threads = 1}) {
-  Studio studio({.width = size, .height = size, .colour = ColourFormat::rgba32f, .background = {0, 0, 0, -2}, .options = options});
+/// White and matt, lit by nothing else.
+inline FragmentProgram matt(const SurfaceLight& light) {
+  return surface({.reflection = {.model = Reflection::lambert, .ambient = glm::vec3(0), .diffuse = glm::vec3(1)}, .lights = {light}});
+}
+
+/// A square picture of floats by the scene's eye.
+inline Image<Rgba32F> picture_of(const ShadowScene& scene, const FragmentProgram& program, int size, const PipelineOptions& options = {.threads = 1}) {
+  Studio studio({.width = size, .height = size, .colour = ColourFormat::rgba32f, .options = options});
   for (const ShadowScene::Part& part : scene.parts) {
     if (!part.is_seen) continue;
     PipelineState state;
     state.transform.world_from_object = part.world_from_object;
     state.transform.clip_from_world = value_of(camera_matrices(scene.eye)).clip_from_world;
-    studio.draw(part.mesh.view(), light_terms(uniforms), state);
+    studio.draw(part.mesh.view(), program, state);
   }
   return studio.target().linear_image();
+}
+
+/// Each colour by the colour without what stands in the light's way: visibility times the thrown picture.
+inline Image<Rgba32F> divided(Image<Rgba32F> lit, const Image<Rgba32F>& unhindered) {
+  const auto quotient = [](float a, float b) { return b > 0 ? a / b : 0.0f; };
+  for (int y = 0; y < lit.height(); ++y)
+    for (int x = 0; x < lit.width(); ++x) {
+      Rgba32F& a = lit.at(x, y);
+      const Rgba32F& b = unhindered.at(x, y);
+      a = {quotient(a.r, b.r), quotient(a.g, b.g), quotient(a.b, b.b), 1};
+    }
+  return lit;
+}
+
+/// Of the scene's light, with these in its way; 0 where surfaces are turned away from it.
+inline Image<Rgba32F> visibility_picture(const ShadowScene& scene, const std::optional<ShadowMap>& shadow, int size, const std::optional<ProjectedTexture>& projected = {}) {
+  return divided(picture_of(scene, matt({scene.light, shadow, projected}), size), picture_of(scene, matt({scene.light, {}, {}}), size));
 }
 
 /// The ray through the centre of a pixel of a square picture, in double.
