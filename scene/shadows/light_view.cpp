@@ -118,7 +118,7 @@ Result<Camera> spot_camera(const Light& spot, const Bounds& seen) {
   const glm::dvec3 position(spot.towards), axis(spot.axis);
   if (!(glm::length(axis) > 0)) return Error{"the spot's axis is zero"};
   Camera camera{.eye = position, .point_of_interest = position + axis, .up = up_for(axis)};
-  const auto basis = camera_basis(camera.eye, camera.point_of_interest, camera.up);
+  const auto basis = basis_of(camera);
   if (!basis) return basis.error();
   const ViewExtent distances = extent_of(seen, *basis, position, [](const glm::dvec3& p) { return p; });
   if (!(distances.largest.z > 0)) return Error{"what the spot is to see lies behind it"};
