@@ -2,7 +2,12 @@
 
 #include <catch2/catch.hpp>
 
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <cmath>
+#include <csignal>
+#include <cstdio>
 #include <functional>
 #include <glm/geometric.hpp>
 #include <numbers>
@@ -67,6 +72,27 @@ TEST_CASE("reflection: only the side that faces the light reflects", "[math][B05
     CHECK(cook_torrance_share({kUp, at_degrees(30), at_degrees(angle)}, {}, 1.5) == 0);
   }
 }
+
+#ifndef NDEBUG
+TEST_CASE("reflection: vectors that are not unit are caught in debug builds", "[math][B05]") {
+  const auto dies = [](const LitPoint& at) {
+    const pid_t child = fork();
+    if (child == 0) {
+      if (std::freopen("/dev/null", "w", stderr) == nullptr) _exit(2);
+      std::signal(SIGABRT, SIG_DFL);
+      static_cast<void>(diffuse_share(at));
+      _exit(0);
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    return WIFSIGNALED(status) && WTERMSIG(status) == SIGABRT;
+  };
+  CHECK(!dies({kUp, kUp, kUp}));
+  CHECK(dies({kUp * 1.1, kUp, kUp}));
+  CHECK(dies({kUp, {0.6, 0, 0.7}, kUp}));
+  CHECK(dies({kUp, kUp, glm::dvec3(0)}));
+}
+#endif
 
 TEST_CASE("reflection: falloff of light with distance", "[math][B09][B10]") {
   CHECK(linear_falloff(3, 1) == 0.25);
