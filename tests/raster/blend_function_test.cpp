@@ -101,7 +101,7 @@ Rgba8 logic_by_bits(LogicOperation operation, Rgba8 s, Rgba8 d) {
 
 }  // namespace
 
-TEST_CASE("blending: all factors and equations on 8-bit codes come to the nearest code", "[raster][exact]") {
+TEST_CASE("blending: all factors and equations on 8-bit codes come to the nearest code", "[raster][exact][C36]") {
   for_every_machine([](InstructionSet set, Precision precision) {
     test::Random random(351);
     for_every_function(random, [&](const BlendState& blend) {
@@ -126,7 +126,7 @@ TEST_CASE("blending: all factors and equations on 8-bit codes come to the neares
   });
 }
 
-TEST_CASE("blending: all factors and equations on floats and halves, unbounded", "[raster]") {
+TEST_CASE("blending: all factors and equations on floats and halves, unbounded", "[raster][C36]") {
   for_every_machine([](InstructionSet set, Precision precision) {
     for (const ColourFormat format : {ColourFormat::rgba32f, ColourFormat::rgba16f}) {
       test::Random random(352);
