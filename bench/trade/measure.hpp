@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "bench/trade/table.hpp"
-#include "bench/trade/timing.hpp"
+#include "bench/figures/timing.hpp"
 
 namespace tuberia::bench::trade {
 

@@ -6,7 +6,7 @@
 
 #include "bench/trade/picture_error.hpp"
 #include "bench/trade/probe_geometry.hpp"
-#include "bench/trade/timing.hpp"
+#include "bench/figures/timing.hpp"
 
 namespace tuberia::bench::trade {
 namespace {

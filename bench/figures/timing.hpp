@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace tuberia::bench::trade {
+namespace tuberia::bench {
 
 /// Of one way. The ratio is the median, over all rounds, of its time divided by that of the first way in the same
 /// round; the quartiles say how far the rounds disagree.
@@ -25,4 +25,4 @@ struct Effort {
 /// often in a row as makes that, after an untimed run. There is at least one way.
 std::vector<RelativeTime> time_in_turns(std::span<const std::function<void()>> ways, const Effort& effort);
 
-}  // namespace tuberia::bench::trade
+}  // namespace tuberia::bench

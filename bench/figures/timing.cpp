@@ -1,4 +1,4 @@
-#include "bench/trade/timing.hpp"
+#include "bench/figures/timing.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -7,7 +7,7 @@
 
 #include "bench/figures/statistics.hpp"
 
-namespace tuberia::bench::trade {
+namespace tuberia::bench {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -64,4 +64,4 @@ std::vector<RelativeTime> time_in_turns(std::span<const std::function<void()>> w
   return all;
 }
 
-}  // namespace tuberia::bench::trade
+}  // namespace tuberia::bench
