@@ -4,6 +4,7 @@
 
 #include <numbers>
 
+#include "math/bump.hpp"
 #include "math/camera.hpp"
 #include "pipeline/programs/surface.hpp"
 #include "scene/shapes/shapes.hpp"
@@ -108,6 +109,47 @@ TEST_CASE("mirror: a sphere shows the eye's side in its middle, what is behind i
       CHECK(glm::dot(direction_of(edge.at(x, 32)), glm::dvec3(0, 0, -1)) > std::cos(degrees * std::numbers::pi / 180));
     });
   }
+}
+
+// notes 16.5: r from the bump-perturbed normal; pattern, relief and mirror at once.
+TEST_CASE("mirror: relief bends the mirror direction, and the pattern stays below", "[environment][A36][A27]") {
+  const Mesh ground = *plane_mesh({.width = 2, .depth = 2});
+  Camera camera{.eye = {0.3, 2, 1.5}};
+  camera.view = *perspective_volume(0.6, 1, 0.1, 10);
+  EnvironmentMap map = three_maps(direction_colours())[0];
+  map.sampler.mipmaps = MipmapFilter::none;
+  constexpr int kSize = 48;
+  const auto picture = [&](float kps) {
+    SurfaceUniforms uniforms = pure_mirror(map, camera.eye, glm::vec3(kps));
+    uniforms.reflection.ambient = glm::vec3(1);
+    uniforms.ambient_light = glm::vec3(0.5f);
+    uniforms.colour.pattern = {.kind = Pattern::Kind::checker, .first = {1, 0.5f, 0}, .second = {0, 0.25f, 1}, .scale = 4};
+    uniforms.bump = {.kind = BumpMap::Kind::waves, .texture = nullptr, .sampler = {}, .gain = 0.05f, .scale = 3};
+    test::Studio studio(test::float_canvas(kSize));
+    PipelineState state;
+    state.transform.clip_from_world = camera_matrices(camera)->clip_from_world;
+    studio.draw(test::view_of(ground), surface(uniforms), state);
+    return studio.target().linear_image();
+  };
+  const Image<Rgba32F> matt = picture(0), glossy = picture(0.5f);
+  double most = 0, bent = 0;
+  for (int y = 0; y < kSize; ++y)
+    for (int x = 0; x < kSize; ++x) {
+      if (matt.at(x, y).a == 0) continue;
+      const CameraBasis basis = *camera_basis(camera.eye, camera.point_of_interest, camera.up);
+      const glm::dvec2 at = ((glm::dvec2(x, y) + 0.5) / static_cast<double>(kSize) * 2.0 - 1.0) * glm::dvec2(camera.view.right, -camera.view.top);
+      const glm::dvec3 ray = glm::normalize(at.x * basis.u + at.y * basis.v - camera.view.near_distance * basis.w);
+      const glm::dvec3 point = camera.eye - ray * (camera.eye.y / ray.y);
+      const glm::dvec2 slope = 0.05 * waves({point.x / 2 + 0.5, point.z / 2 + 0.5}, 3).slope;
+      const glm::dvec3 n = perturbed_normal({{2, 0, 0}, {0, 0, 2}, {0, 1, 0}}, slope);
+      const glm::dvec3 r = ray - 2 * glm::dot(ray, n) * n;
+      most = std::max(most, largest_component(2.0 * (radiance_of(glossy.at(x, y)) - radiance_of(matt.at(x, y))) - (0.5 + 0.5 * r)));
+      bent = std::max(bent, glm::length(r - glm::dvec3(ray.x, -ray.y, ray.z)));
+    }
+  CHECK(most < 2e-3);
+  CHECK(bent > 0.3);
+  const auto is_one_of_both = [](const Rgba32F& pixel) { return pixel.r > 0.45f || pixel.b > 0.45f; };
+  CHECK((is_one_of_both(matt.at(24, 24)) && is_one_of_both(matt.at(20, 30))));
 }
 
 TEST_CASE("mirror: a mirror sphere in the sky is the same by each map", "[environment][A28][A33][A32]") {

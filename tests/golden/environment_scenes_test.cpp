@@ -163,6 +163,19 @@ void chrome_under_the_sky(Studio& studio) {
   view.shape(*sphere_mesh({.radius = 0.22}), mirror_of(map, {0.9f, 0.5f, 0.4f}), translation({-1.6, 0.95, 0.2}));
 }
 
+/// The teapot with texture, relief and mirror, in the surroundings that it mirrors.
+void teapot_in_its_environment(Studio& studio) {
+  const EnvironmentMap map = *panorama_map(sky_panorama());
+  const View view{studio.pipeline(), studio.target(), camera_at({-2.4, 2.6, -7.4}, {0.2, 1.55, 0})};
+  view.background(map);
+  SurfaceUniforms glazed = painted(glm::vec3(1), glm::vec3(glm::normalize(Sky{}.towards_sun)));
+  glazed.colour.pattern = {.kind = Pattern::Kind::checker, .first = {0.5f, 0.07f, 0.05f}, .second = {0.75f, 0.68f, 0.5f}, .scale = 6};
+  glazed.bump = {.kind = BumpMap::Kind::waves, .texture = nullptr, .sampler = {}, .gain = 0.1f, .scale = 6};
+  glazed.environment = map;
+  glazed.mirror = glm::vec3(0.3f);
+  view.shape(*teapot_mesh({.segments = 6}), glazed);
+}
+
 }  // namespace
 
 TEST_CASE("golden: mirrors of the sky by each kind of map", "[golden][exact][A28][A29][A32][A33][A34]") {
@@ -183,6 +196,10 @@ TEST_CASE("golden: a room in a mirror ball, by six faces drawn from its middle",
 
 TEST_CASE("golden: chrome and gold under the sky", "[golden][exact][A37]") {
   test::check_golden("environment_chrome", test::golden_canvas(), chrome_under_the_sky);
+}
+
+TEST_CASE("golden: texture with relief and environment at once before what is mirrored", "[golden][exact][A36]") {
+  test::check_golden("environment_combined", test::golden_canvas(), teapot_in_its_environment);
 }
 
 }  // namespace tuberia
