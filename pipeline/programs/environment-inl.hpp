@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "pipeline/programs/environment_map.hpp"
+#include "pipeline/programs/sphere_mapping-inl.hpp"
 #include "raster/simd/elementary-inl.hpp"
 #include "raster/simd/quad-inl.hpp"
 #include "raster/simd/texture-inl.hpp"
@@ -26,17 +27,6 @@ HWY_INLINE Vec3<F> direction_in_map(const EnvironmentMap& map, Vec3<F> world) {
   const Vec3<F> d = normalize(Vec3<F>(m[0]) * world.x + Vec3<F>(m[1]) * world.y + Vec3<F>(m[2]) * world.z);
   const Mask has_direction = dot(d, d) > 0.5f;
   return {select(has_direction, d.x, F(0.0f)), select(has_direction, d.y, F(0.0f)), select(has_direction, d.z, F(1.0f))};
-}
-
-/// The level of detail by the angle to the neighbouring fragments' directions, one for each quad. The
-/// derivatives of u and v would jump at a panorama's seam and grow beyond bounds at its poles and at the
-/// rim of a mirror ball, where nothing but the map's coordinates is singular.
-template <class F>
-HWY_INLINE F angular_level(Vec3<F> unit, float texels_per_radian) {
-  const Vec3<F> dx{first_difference_x(unit.x), first_difference_x(unit.y), first_difference_x(unit.z)};
-  const Vec3<F> dy{first_difference_y(unit.x), first_difference_y(unit.y), first_difference_y(unit.z)};
-  const F squared = first_of_quad(max(dot(dx, dx), dot(dy, dy)));
-  return log2(squared * (texels_per_radian * texels_per_radian)) * 0.5f;
 }
 
 /// An equirectangular picture; along its equator a texel spans the same angle both ways if it is 2 to 1.

@@ -8,6 +8,8 @@
 #define TUBERIA_PIPELINE_PROGRAMS_TEXTURE_ACCESS_INL
 #endif
 
+#include <algorithm>
+
 #include "pipeline/programs/sphere_mapping-inl.hpp"
 #include "pipeline/programs/texture_access.hpp"
 #include "pipeline/programs/transformed-inl.hpp"
@@ -26,12 +28,23 @@ HWY_INLINE Vec2<F> accessed_texcoord(const TextureAccess& access, Vec2<F> uv, Ve
   return sphere_texcoord(transformed(access.globe_from_world, point));
 }
 
+/// The level of detail where it is not that of the coordinates' derivatives.
+template <class F>
+HWY_INLINE F accessed_level(const Texture& texture, const TextureAccess& access, Vec3<F> eye, Vec3<F> point) {
+  if (access.level_rule == TextureAccess::LevelRule::distance) return log2(length(point - eye) * (1.0f / access.texel_distance));
+  const TextureLevel& base = texture.level(0);
+  const float texels_per_turn = static_cast<float>(std::max(base.width, 2 * base.height));
+  return angular_level(normalize(transformed(access.globe_from_world, point)), texels_per_turn * 0.159154943f);
+}
+
 /// The texture's colour. in: samples textures; eye, point: world space.                [A 1.1]
 template <class Reader, class F>
 HWY_INLINE Vec4<F> accessed_colour(Reader& in, const Texture& texture, const Sampler& sampler, const TextureAccess& access, Vec2<F> uv, Vec3<F> eye, Vec3<F> point) {
-  if (access.level_rule == TextureAccess::LevelRule::derivatives) return in.sample(texture, sampler, uv);
-  const F level = log2(length(point - eye) * (1.0f / access.texel_distance));
-  return sample_at_level(texture, sampler, Vec3<F>(uv.x, uv.y, F(0.0f)), level, in.live());
+  const bool is_usual = access.coordinates == TextureAccess::Coordinates::vertices && access.level_rule == TextureAccess::LevelRule::derivatives;
+  if (is_usual) return in.sample(texture, sampler, uv);
+  Sampler wrapped = sampler;
+  if (access.coordinates == TextureAccess::Coordinates::sphere) wrapped.wrap_u = Wrap::repeat, wrapped.wrap_v = Wrap::clamp;
+  return sample_at_level(texture, wrapped, Vec3<F>(uv.x, uv.y, F(0.0f)), accessed_level(texture, access, eye, point), in.live());
 }
 
 }  // namespace HWY_NAMESPACE

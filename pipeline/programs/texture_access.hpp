@@ -9,10 +9,12 @@ namespace tuberia {
 
 struct TextureAccess {
   /// vertices: the mesh's texture coordinates [B 4.1.2]. sphere: those of the direction of the fragment's
-  /// point from the centre of a globe, texture rows from the north pole down [B 4-2 to 4-5]; the sampler should repeat along u.
+  /// point from the centre of a globe, texture rows from the north pole down [B 4-2 to 4-5]; the texture
+  /// repeats along u and ends at the poles, whatever the sampler's wraps.
   enum class Coordinates : std::uint8_t { vertices, sphere };
-  /// derivatives: log2 of the texels from a fragment to the next. distance: log2(d / texel_distance) with
-  /// the distance d from the eye, whatever the surface's slant [A 1.1].
+  /// derivatives: log2 of the texels from a fragment to the next; on a globe as many as at its equator, since u's own
+  /// derivatives grow beyond bounds at the poles. distance: log2(d / texel_distance) with the distance d from the
+  /// eye, whatever the surface's slant [A 1.1]. Globes and distances are not filtered anisotropically.
   enum class LevelRule : std::uint8_t { derivatives, distance };
 
   Coordinates coordinates = Coordinates::vertices;
