@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "math/camera.hpp"
+#include "scene/mesh_view.hpp"
 #include "scene/shapes/shapes.hpp"
 #include "scene/vertex_normals.hpp"
 #include "tests/shading/gouraud_scan_line.hpp"
@@ -15,16 +16,6 @@
 
 namespace tuberia {
 namespace {
-
-MeshView view_of(const tuberia::Mesh& mesh) {
-  MeshView view;
-  view.positions = mesh.positions;
-  view.normals = mesh.normals;
-  view.texcoords = mesh.texcoords;
-  view.colours = mesh.colours;
-  view.indices = mesh.indices;
-  return view;
-}
 
 /// From above, a parallel view of x and z in [-2, 2] that shows +x to the right and -z above.
 glm::mat4 from_above() {
@@ -62,7 +53,7 @@ std::vector<double> gouraud_row(const tuberia::Mesh& mesh) {
   PipelineState state;
   state.transform.clip_from_world = from_above();
   state.transform.vertex_lighting = lighting;
-  studio.draw(view_of(mesh), gouraud(), state);
+  studio.draw(mesh_view(mesh), gouraud(), state);
   return middle_row(studio.picture().linear, 64, 192);  // without the strip's ends, whose vertices have one neighbour only
 }
 
@@ -132,7 +123,7 @@ TEST_CASE("flat shading: one value a facet", "[B21]") {
   state.transform.vertex_lighting = slanting_light();
   state.rasterization.flat_shading = true;
   test::Studio studio({.width = 64, .height = 64, .colour = ColourFormat::rgba32f});
-  studio.draw(view_of(facets), gouraud(), state);
+  studio.draw(mesh_view(facets), gouraud(), state);
   std::vector<float> values;
   const auto picture = studio.picture();
   for (const Rgba32F& pixel : picture.linear.pixels())
@@ -150,7 +141,7 @@ TEST_CASE("nets: a curved object's polygons can be seen as a wireframe", "[B20]"
   const auto drawn = [&](PolygonMode mode) {
     state.rasterization.front_mode = state.rasterization.back_mode = mode;
     test::Studio studio({.width = 256, .height = 256});
-    studio.draw(view_of(torus), flat(), state);
+    studio.draw(mesh_view(torus), flat(), state);
     return studio.picture().colour;
   };
   const auto whole = drawn(PolygonMode::fill), net = drawn(PolygonMode::line);
@@ -179,7 +170,7 @@ TEST_CASE("parametric mapping: a torus shows the pattern at its own parameters",
   PipelineState state;
   state.transform.clip_from_world = camera_matrices(camera)->clip_from_world;
   test::Studio studio({.width = 160, .height = 160, .depth = DepthFormat::d32f});
-  studio.draw(view_of(torus), textured({.texture = texture, .sampler = {.texels = TexelFilter::nearest, .mipmaps = MipmapFilter::none}}), state);
+  studio.draw(mesh_view(torus), textured({.texture = texture, .sampler = {.texels = TexelFilter::nearest, .mipmaps = MipmapFilter::none}}), state);
 
   // Where each pixel's depth puts the point, the torus's parameters are known in closed form.
   const auto picture = studio.picture();
