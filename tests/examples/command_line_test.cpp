@@ -109,27 +109,6 @@ TEST_CASE("tuberia: the bunny has the same bits for all threads and instruction 
   CHECK(!first.empty());
 }
 
-TEST_CASE("lessons: run and leave their pictures", "[examples]") {
-  const TemporaryFolder folder;
-  const Outcome stages = run("", folder, LESSON_1_PROGRAM);
-  CHECK(stages.status == 0);
-  CHECK(stages.output.find("9 Blending") != std::string::npos);
-  CHECK(read_image(folder / "out/one_triangle.png").ok());
-
-  // Rings of the two colours: both must occur, and the sky above the plane is untouched.
-  CHECK(run("", folder, LESSON_2_PROGRAM).status == 0);
-  const auto ripples = read_image(folder / "out/ripples.png");
-  REQUIRE(ripples.ok());
-  int dark = 0, light = 0;
-  for (const Rgba8& pixel : ripples->pixels()) {
-    dark += pixel.a == 255 && pixel.r < 60 && pixel.b > 90;
-    light += pixel.a == 255 && pixel.r > 230;
-  }
-  CHECK(dark > 10000);
-  CHECK(light > 10000);
-  CHECK(ripples->at(320, 5).a == 0);
-}
-
 TEST_CASE("tuberia requirements: tells what a model needs, in words and as JSON", "[examples]") {
   const TemporaryFolder folder;
   write_triangle(folder / "triangle.obj");
