@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "image/write_image.hpp"
+#include "math/camera_motions.hpp"
 #include "pipeline/blending.hpp"
 #include "pipeline/clipping.hpp"
 #include "pipeline/culling.hpp"
@@ -25,6 +26,9 @@
 #include "raster/cube_map.hpp"
 #include "raster/sample_texture.hpp"
 #include "raster/texture_target.hpp"
+#include "scene/mesh_view.hpp"
+#include "scene/shapes/shapes.hpp"
+#include "scene/vertex_normals.hpp"
 
 namespace {
 
@@ -202,6 +206,22 @@ void observers(Pipeline& pipeline) {
   expect(count_red(target.colour_image()) == 28, "a watched draw leaves the same pixels");
 }
 
+void shapes_and_cameras(Pipeline& pipeline) {
+  RenderTarget target = *RenderTarget::create(32, 32);
+  const Mesh ball = *with_tangents(*with_vertex_normals(*sphere_mesh({.slices = 24, .stacks = 12}), {.crease_angle_radians = 1}));
+  const Camera camera = *orbit({.eye = {0, 0, 5}, .view = *perspective_volume(0.8, 1, 1, 10)}, {.right = 1, .up = 0.5});
+  DrawCall draw{.mesh = mesh_view(ball), .program = flat(), .state = {}};
+  draw.state.transform.clip_from_world = camera_matrices(camera)->clip_from_world;
+  draw.state.culling.cull = CullFace::back;
+  pipeline.clear(target, {0, 0, 0, 1});
+  const bool drawn = pipeline.draw(target, draw).ok();
+  const Image<Rgba8> image = target.colour_image();
+  int white = 0;
+  for (const Rgba8& pixel : image.pixels()) white += pixel == Rgba8{255, 255, 255, 255};
+  // Its outline is a circle of the sine 1/5, so of the radius 16 tan(asin(1/5)) / tan(0.4) = 7.7 pixels.
+  expect(drawn && white > 165 && white < 195, "a sphere, seen from wherever");
+}
+
 }  // namespace
 
 int main() {
@@ -212,6 +232,7 @@ int main() {
   clipper_alone();
   textures();
   render_to_texture(pipeline);
+  shapes_and_cameras(pipeline);
   stages_alone(pipeline);
   observers(pipeline);
   return failures == 0 ? 0 : 1;
