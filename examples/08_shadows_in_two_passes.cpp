@@ -16,7 +16,8 @@
 using namespace tuberia;
 
 int main() {
-  const Mesh floor = *plane_mesh({.width = 12, .depth = 12}), ring = *torus_mesh({.radius = 1.2, .tube_radius = 0.35}), ball = *sphere_mesh({.radius = 0.55});
+  const Mesh floor = *plane_mesh({.width = 12, .depth = 12}), ball = *sphere_mesh({.radius = 0.55});
+  const Mesh ring = *torus_mesh({.radius = 1.2, .tube_radius = 0.35});
   const glm::dvec3 eye(4, 5, 9);
   const Camera camera{.eye = eye, .point_of_interest = {0, 0.8, 0}, .view = *perspective_volume(0.55, 1.5, 1, 100)};
   const Light lamp{.kind = Light::Kind::point, .towards = {-2.5f, 8, 2.5f}};

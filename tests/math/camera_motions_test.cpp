@@ -80,7 +80,8 @@ TEST_CASE("camera: the openings of the notes", "[C10][C11]") {
 
   CHECK(*orthographic_volume(4, 2, -1, 9) == ViewVolume{-2, 2, -1, 1, -1, 9});
   CHECK(orthographic_volume(0, 2, 1, 9).error().message == "width is 0, but must be finite and greater than 0");
-  CHECK(orthographic_volume(4, std::numeric_limits<double>::quiet_NaN(), 1, 9).error().message == "height is nan, but must be finite and greater than 0");
+  const auto lost = orthographic_volume(4, std::numeric_limits<double>::quiet_NaN(), 1, 9);
+  CHECK(lost.error().message == "height is nan, but must be finite and greater than 0");
   CHECK(orthographic_volume(4, 2, 9, 9).error().message == "far_distance is 9, but must be finite and greater than near_distance");
 }
 
