@@ -14,8 +14,7 @@ namespace {
 
 constexpr int kTextureSize = 256;
 
-/// Hills and dales. Without noise: normals that know no neighbours would mirror places of an environment that lie
-/// apart, and their look-ups would cost what no other technique has to do with.
+/// Hills and dales, so that neither texels nor depths are all alike.
 float height_at(int x, int y) {
   const auto wave = [](int i) { return std::sin(static_cast<float>(i) * 0.0982f); };
   return 0.5f + 0.3f * wave(x) * wave(y);
@@ -33,8 +32,16 @@ std::shared_ptr<const Texture> picture(TextureEncoding encoding) {
 
 std::shared_ptr<const Texture> colours() { return picture(TextureEncoding::srgb); }
 
-std::shared_ptr<const Texture> cube_of_colours() {
-  const Image<Rgba8> face = colours()->level_image(0);
+/// The colours at a quarter of their size: an environment that even a gentle relief magnifies. Where relief is so steep
+/// that neighbours mirror places far apart, look-ups read two levels and miss the cache, whatever the program.
+constexpr int kEnvironmentLevel = 2;
+
+std::shared_ptr<const Texture> environment_picture() {
+  return std::make_shared<const Texture>(*Texture::create(colours()->level_image(kEnvironmentLevel), TextureEncoding::srgb));
+}
+
+std::shared_ptr<const Texture> environment_cube() {
+  const Image<Rgba8> face = colours()->level_image(kEnvironmentLevel);
   const std::array<Image<Rgba8>, 6> faces{face, face, face, face, face, face};
   return std::make_shared<const Texture>(*Texture::create_cube(faces, TextureEncoding::srgb));
 }
@@ -63,13 +70,13 @@ void add_model(SurfaceUniforms& surface, Reflection model) {
 
 void add_bump(SurfaceUniforms& surface, BumpMap::Kind kind) {
   surface.bump.kind = kind;
-  surface.bump.gain = 0.1f;
+  surface.bump.gain = 0.03f;
   if (kind == BumpMap::Kind::height_texture || kind == BumpMap::Kind::normal_map) surface.bump.texture = picture(TextureEncoding::linear);
 }
 
 void add_environment(SurfaceUniforms& surface, EnvironmentMap::Kind kind) {
   surface.environment.kind = kind;
-  surface.environment.texture = kind == EnvironmentMap::Kind::cube ? cube_of_colours() : colours();
+  surface.environment.texture = kind == EnvironmentMap::Kind::cube ? environment_cube() : environment_picture();
   surface.mirror = glm::vec3(0.3f);
 }
 

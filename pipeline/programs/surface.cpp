@@ -49,13 +49,27 @@ struct ShadedPoint {
   Vec3<F> position, normal, smooth_normal, to_eye, colour;
 };
 
+// Each technique is out of line, too: the registers and the stack that it needs are not taken from surfaces
+// without it. Callers hand over copies, for what has an address in a function cannot stay in its registers.
+
+/// The normal with relief, from the unit one without.
+template <class F>
+HWY_NOINLINE Vec3<F> relief_normal(SurfaceFragment<F>& in, const BumpMap& bump, const Vec3<F>& smooth) {
+  return bumped_normal(in, bump, in.texcoord(), SurfaceBasis<F>{in.tangent(), in.bitangent(), smooth});
+}
+
 /// The pattern's or texture's colour and alpha.
 template <class F>
-HWY_INLINE Vec4<F> own_colour(SurfaceFragment<F>& in, const SurfaceColour& colour, const glm::vec3& eye) {
-  if (!colour.texture && colour.pattern.kind == Pattern::Kind::none) return Vec4<F>(glm::vec4(1));
+HWY_NOINLINE Vec4<F> own_colour(SurfaceFragment<F>& in, const SurfaceColour& colour, const glm::vec3& eye) {
   const Vec2<F> uv = accessed_texcoord(colour.access, in.texcoord(), in.position());
   if (colour.texture) return accessed_colour(in, *colour.texture, colour.sampler, colour.access, uv, Vec3<F>(eye), in.position());
   return Vec4<F>(pattern_colour(colour.pattern, uv, in.position()), F(1.0f));
+}
+
+/// What the surroundings send to the mirror direction.
+template <class F>
+HWY_NOINLINE Vec3<F> mirrored_light(SurfaceFragment<F>& in, const EnvironmentMap& environment, const ShadedPoint<F>& at) {
+  return environment_radiance(in, environment, reflect(-at.to_eye, at.normal));
 }
 
 /// One light's part of the sum: V Ip falloff (own kd (N.L) + ks share).
@@ -71,8 +85,8 @@ HWY_INLINE Vec3<F> light_of(const SurfaceFragment<F>& in, const SurfaceUniforms&
   if (surface.reflection.model != Reflection::lambert && surface.reflection.specular != glm::vec3(0))
     reflected = reflected + Vec3<F>(surface.reflection.specular) * specular_share(surface.reflection, at.normal, l, at.to_eye, cosine);
   if (is_attenuated(light)) reflected = reflected * attenuation(light, l, at.position);
-  if (source.shadow) reflected = reflected * light_visibility(*source.shadow, at.position, at.smooth_normal, l);
-  if (source.projected) reflected = reflected * projected_light(in, *source.projected, at.position);
+  if (source.shadow) reflected = reflected * light_visibility(*source.shadow, Vec3<F>(at.position), Vec3<F>(at.smooth_normal), Vec3<F>(l));
+  if (source.projected) reflected = reflected * projected_light(in, *source.projected, Vec3<F>(at.position));
   reflected = Vec3<F>(light.intensity) * reflected;
   const F none_at_all(0.0f);
   return {select(is_lit, reflected.x, none_at_all), select(is_lit, reflected.y, none_at_all), select(is_lit, reflected.z, none_at_all)};
@@ -92,16 +106,17 @@ HWY_NOINLINE Vec4<F> shade_surface(SurfaceFragment<F>& in, const SurfaceUniforms
   const Vec3<F> position = in.position(), to_eye = normalize(Vec3<F>(surface.eye) - position);
   const Vec3<F> smooth = fragment_normal(surface.normals, in.normal());
   // Which side is seen remains the smooth normal's to say.
-  const Vec3<F> bumped = bumped_normal(in, surface.bump, in.texcoord(), SurfaceBasis<F>{in.tangent(), in.bitangent(), smooth});
+  const Vec3<F> bumped = surface.bump.kind == BumpMap::Kind::none ? smooth : relief_normal(in, surface.bump, Vec3<F>(smooth));
   const Vec3<F> normal = surface.two_sided ? turned_to(smooth, to_eye, bumped) : bumped;
   const Vec3<F> smooth_normal = surface.two_sided ? turned_to(smooth, to_eye, smooth) : smooth;
 
-  const Vec4<F> own = own_colour(in, surface.colour, surface.eye);
+  const bool has_own_colour = surface.colour.texture || surface.colour.pattern.kind != Pattern::Kind::none;
+  const Vec4<F> own = has_own_colour ? own_colour(in, surface.colour, surface.eye) : Vec4<F>(glm::vec4(1));
   const ShadedPoint<F> at{position, normal, smooth_normal, to_eye, own.rgb()};
   Vec3<F> sum = at.colour * Vec3<F>(surface.reflection.ambient * surface.ambient_light);
   for (const SurfaceLight& light : surface.lights) sum = sum + light_of(in, surface, light, at);
   if (surface.environment.kind != EnvironmentMap::Kind::none && surface.mirror != glm::vec3(0))
-    sum = sum + Vec3<F>(surface.mirror) * environment_radiance(in, surface.environment, reflect(-to_eye, normal));
+    sum = sum + Vec3<F>(surface.mirror) * mirrored_light(in, surface.environment, ShadedPoint<F>(at));
   if (surface.overflow == Overflow::hue_preserving) sum = divided_by_largest(sum);
   return Vec4<F>(sum, own.a() * F(surface.alpha));
 }
