@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <optional>
 
 #include "pipeline/programs/surface.hpp"
 #include "scene/environment/background.hpp"
@@ -18,8 +19,6 @@ namespace tuberia {
 namespace {
 
 using test::Studio;
-
-constexpr int kPictureWidth = 160, kPictureHeight = 120;
 
 /// Texels as multiples of 1/1024, so that no library's last bit can show.
 Image<Rgba32F> rounded(Image<Rgba32F> image) {
