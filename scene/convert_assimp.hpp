@@ -22,6 +22,12 @@ std::string why_not_scene(const aiScene& scene);
 /// finite after its transform.
 std::string convert_meshes(const aiScene& scene, ColourSpace colours, Model& model);
 
+/// What glTF alone says of a material.
+void convert_metallic_roughness(const aiMaterial& from, Material& to);
+
+/// What a material has that ours cannot have, for a warning: "an occlusion texture, a clear coat"; empty if nothing.
+std::string not_honoured(const aiMaterial& from);
+
 /// Appends all materials, in the scene's order, with their textures. path: of the model's file.
 void convert_materials(const aiScene& scene, const std::filesystem::path& path, ColourSpace colours,
                        Model& model);

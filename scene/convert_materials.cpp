@@ -100,6 +100,15 @@ int texture_named(const std::string& name, const aiScene& scene, const std::file
   return static_cast<int>(model.textures.size()) - 1;
 }
 
+/// What only glTF files have, and what of it nobody will see.
+void convert_gltf_extras(const aiMaterial& from, const aiScene& scene, const std::filesystem::path& path, Material& to, Model& model) {
+  convert_metallic_roughness(from, to);
+  aiString name;
+  if (from.GetTexture(aiTextureType_NORMALS, 0, &name) == AI_SUCCESS && name.length > 0) to.normal_texture = texture_named(name.C_Str(), scene, path, model);
+  if (const std::string ignored = not_honoured(from); !ignored.empty())
+    model.warnings.push_back("material '" + to.name + "' of model " + quoted_path(path) + ": not honoured: " + ignored);
+}
+
 }  // namespace
 
 void convert_materials(const aiScene& scene, const std::filesystem::path& path, ColourSpace colours,
@@ -113,6 +122,7 @@ void convert_materials(const aiScene& scene, const std::filesystem::path& path, 
           to.texture < 0 && from.GetTexture(type, 0, &name) == AI_SUCCESS && name.length > 0;
       if (has_texture) to.texture = texture_named(name.C_Str(), scene, path, model);
     }
+    if (colours == ColourSpace::linear) convert_gltf_extras(from, scene, path, to, model);
     model.materials.push_back(std::move(to));
   }
 }

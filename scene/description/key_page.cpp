@@ -135,6 +135,26 @@ most 1e30. Lengths are world units, y is up; angles are degrees; colours are lin
 `[0.5, 0.5, 0.5]`. Files are looked for beside the scene file.
 )";
 
+constexpr std::string_view kModelMaterials = R"(
+## Materials of model files
+
+With `own_materials` a model keeps what its file says (`scene/description/model_material.hpp`). Of glTF's
+metallic-roughness materials (base colour B, metallic M, roughness R) ours are Cook-Torrance with
+
+| constant | value |
+|---|---|
+| `diffuse` | B (1 - M), times the base colour texture |
+| `ambient` | B, so that metals are never black |
+| `refractive_index` | (1 + s) / (1 - s), s = sqrt(F0) up to 0.98, of the reflectance F0 = 0.04 (1 - M) + B M |
+| `specular`, `divided_by_pi` | 1, false |
+| `roughness` | the larger of R^2 and 0.02 |
+| `mirror` | F0 (1 - R)^2 where the scene has an environment, else 0 |
+| `bump` | the normal texture, times its scale |
+
+What is not honoured is a warning for each material: metallic-roughness, occlusion and emissive textures, light
+of its own, clear coats, sheen, transmission, further sets of texture coordinates.
+)";
+
 }  // namespace
 }  // namespace description
 
@@ -142,7 +162,7 @@ std::string scene_file_page() {
   SceneDescription scene;
   description::KeyPage page;
   description::scene_keys(page, scene);
-  return std::string(description::kIntroduction) + page.text();
+  return std::string(description::kIntroduction) + page.text() + std::string(description::kModelMaterials);
 }
 
 }  // namespace tuberia

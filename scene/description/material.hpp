@@ -14,7 +14,7 @@ namespace tuberia::description {
 
 /// A picture that materials, lights and height fields name.
 struct Texture {
-  enum class Source : std::uint8_t { file, checker, random_squares, gradient };
+  enum class Source : std::uint8_t { file, checker, random_squares, gradient, planet, planet_heights, bricks, brick_heights, stud_heights };
   enum class Encoding : std::uint8_t { srgb, linear };
   enum class Filter : std::uint8_t { nearest, bilinear, mipmap_nearest, trilinear };
   enum class Wrap : std::uint8_t { repeat, clamp, mirror };
@@ -23,10 +23,10 @@ struct Texture {
   Source source = Source::file;
   std::string file;                       // relative to the scene's folder
   Encoding encoding = Encoding::srgb;     // of a file's 8-bit codes
-  int size = 256;                         // texels each way of a picture that is made
-  int squares = 8;                        // each way, of checker and random_squares
-  glm::vec3 first{1}, second{0};          // its colours, linear RGB in [0, 1]; random_squares: the ends of each channel's range
-  std::uint32_t seed = 1;                 // of random_squares
+  int size = 256;                         // texels each way of a picture that is made; planets are twice as wide
+  int squares = 8;                        // or bricks (an even number), or studs: how many, each way
+  glm::vec3 first{1}, second{0};          // of checker, random_squares and gradient, linear RGB in [0, 1]; random_squares: the ends of each channel's range
+  std::uint32_t seed = 1;                 // of random_squares, planets and bricks
   bool level_colours = false;             // each mipmap level in a colour of its own, which shows which one is read
   Filter filter = Filter::trilinear;
   double anisotropy = 1;                  // 1..16
@@ -55,7 +55,8 @@ struct Mapping {
   enum class Kind : std::uint8_t { surface, sphere };
   Kind kind = Kind::surface;
   glm::dvec3 pole{0, 1, 0}, equator{1, 0, 0};  // sphere: perpendicular directions of object space, not 0
-  glm::dvec2 repeat{1, 1};                     // texture coordinates are multiplied with it
+  bool of_positions = false;                   // sphere: the direction from the origin instead, for what is not round
+  glm::dvec2 repeat{1, 1};                     // not 0; texture coordinates are multiplied with it
   bool operator==(const Mapping&) const = default;
 };
 

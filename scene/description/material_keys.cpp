@@ -6,7 +6,7 @@
 namespace tuberia::description {
 namespace {
 
-constexpr std::array<std::string_view, 4> kTextureSources{"file", "checker", "random-squares", "gradient"};
+constexpr std::array<std::string_view, 9> kTextureSources{"file", "checker", "random-squares", "gradient", "planet", "planet-heights", "bricks", "brick-heights", "stud-heights"};
 constexpr std::array<std::string_view, 2> kEncodings{"srgb", "linear"};
 constexpr std::array<std::string_view, 4> kFilters{"nearest", "bilinear", "mipmap-nearest", "trilinear"};
 constexpr std::array<std::string_view, 3> kWraps{"repeat", "clamp", "mirror"};
@@ -34,6 +34,7 @@ void mapping_keys(Keys& keys, Mapping& mapping) {
   keys.where("type is sphere", mapping.kind == Mapping::Kind::sphere, [&] {
     keys.vector({"pole", "the direction of the picture's upper edge, object space"}, mapping.pole);
     keys.vector({"equator", "the direction of u = 0, perpendicular to the pole"}, mapping.equator);
+    keys.flag({"of_positions", "the direction from the origin instead of the normal's, for what is not round"}, mapping.of_positions);
     const bool are_directions = mapping.pole != glm::dvec3(0) && mapping.equator != glm::dvec3(0);
     keys.require("pole", mapping.pole != glm::dvec3(0), "is no direction");
     keys.require("equator", mapping.equator != glm::dvec3(0), "is no direction");
@@ -71,14 +72,20 @@ void texture_keys(Keys& keys, Texture& texture) {
     keys.text({"file", "beside the scene file", true}, texture.file);
     keys.choice({"encoding", "of its 8-bit codes"}, texture.encoding, kEncodings);
   });
-  keys.where("source is not file", !is_made_of(Source::file), [&] {
-    keys.whole({"size", "texels each way"}, texture.size, 1, 4096);
+  keys.where("source is not file", !is_made_of(Source::file), [&] { keys.whole({"size", "texels each way; planets are twice as wide"}, texture.size, 1, 4096); });
+  const bool has_colours = is_made_of(Source::checker) || is_made_of(Source::random_squares) || is_made_of(Source::gradient);
+  keys.where("source is checker, random-squares or gradient", has_colours, [&] {
     keys.colour({"first", "one of its colours; random-squares: one end of each channel's range"}, texture.first, within(0, 1));
     keys.colour({"second", "the other"}, texture.second, within(0, 1));
   });
-  keys.where("source is checker or random-squares", is_made_of(Source::checker) || is_made_of(Source::random_squares),
-             [&] { keys.whole({"squares", "each way"}, texture.squares, 1, 4096); });
-  keys.where("source is random-squares", is_made_of(Source::random_squares), [&] { keys.seed({"seed", "of its colours"}, texture.seed); });
+  const bool has_bricks = is_made_of(Source::bricks) || is_made_of(Source::brick_heights);
+  const bool has_squares = is_made_of(Source::checker) || is_made_of(Source::random_squares) || is_made_of(Source::stud_heights) || has_bricks;
+  keys.where("source is checker, random-squares, bricks, brick-heights or stud-heights", has_squares, [&] {
+    keys.whole({"squares", "or courses of bricks (an even number), or studs: how many, each way"}, texture.squares, 1, 4096);
+    keys.require("squares", !has_bricks || texture.squares % 2 == 0, "is odd, but courses of bricks must be even");
+  });
+  const bool is_random = is_made_of(Source::random_squares) || is_made_of(Source::planet) || is_made_of(Source::planet_heights) || is_made_of(Source::bricks);
+  keys.where("source is random-squares, planet, planet-heights or bricks", is_random, [&] { keys.seed({"seed", "of what is random in it"}, texture.seed); });
   keys.flag({"level_colours", "each mipmap level in a colour of its own, which shows which one is read"}, texture.level_colours);
   keys.choice({"filter", "how texels become a colour"}, texture.filter, kFilters);
   keys.number({"anisotropy", "samples along a pixel's footprint, at most"}, texture.anisotropy, within(1, 16));

@@ -112,6 +112,7 @@ TEST_CASE("scene file: values that do not go together are refused", "[scene][sce
       {"{\"camera\": {\"eye\": [0, 5, 0], \"look_at\": [0, 0, 0]}}", "1: camera.up is parallel to the line of sight"},
       {"{\"camera\": {\"up\": [0, 0, 0]}}", "1: camera.up is parallel to the line of sight"},
       {"{\"camera\": {\"eye\": [1, 1, 1],\n\"look_at\": [1, 1, 1]}}", "2: camera.look_at is where the eye stands"},
+      {"{\"textures\": {\"wall\": {\"source\": \"bricks\", \"squares\": 7}}}", "1: textures.wall.squares is odd, but courses of bricks must be even"},
       {"{\"camera\": {\"near\": 3,\n\"far\": 2}}", "2: camera.far is not beyond near"},
       {"{\"lights\": [{\"type\": \"directional\", \"towards\": [0, 0, 0]}]}", "1: lights[0].towards is no direction"},
       {"{\"lights\": [{\"type\": \"spot\", \"position\": [0, 1, 0], \"look_at\": [0, 1, 0]}]}", "1: lights[0].look_at is where the light is"},

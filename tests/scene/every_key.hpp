@@ -21,6 +21,7 @@ inline constexpr const char* kEveryKey = R"({
     "slide": {"source": "checker", "size": 64, "squares": 4, "first": [1, 0, 0], "second": [0, 0, 1], "filter": "bilinear", "wrap": "clamp"},
     "wall": {"source": "file", "file": "wall.png", "encoding": "linear", "filter": "mipmap-nearest", "anisotropy": 4, "wrap": "mirror", "level_rule": "distance", "texel_distance": 3},
     "levels": {"source": "gradient", "level_colours": true, "filter": "nearest"},
+    "earth": {"source": "planet", "seed": 2}, "wall of bricks": {"source": "bricks", "squares": 6}, "studs": {"source": "stud-heights"},
     "squares": {"source": "random-squares", "seed": 7, "filter": "trilinear", "wrap": "repeat"}},
   "materials": {
     "mat": {"model": "lambert", "ambient": 0.1, "diffuse": 0.5, "two_sided": true, "alpha": 0.5, "texture": "wall", "mapping": {"type": "surface", "repeat": [2, 3]}},
@@ -30,7 +31,7 @@ inline constexpr const char* kEveryKey = R"({
                 "bump": {"type": "orange", "seed": 5}, "mirror": 0.2},
     "glazed": {"model": "weighted-phong", "refractive_index": 1.3, "pattern": {"type": "marble"}, "bump": {"type": "normal-map", "texture": "squares"}},
     "gold": {"model": "cook-torrance", "specular": 1, "roughness": 0.2, "facets": "gaussian", "refractive_index": [0.5, 0.6, 1.2], "divided_by_pi": false,
-             "texture": "squares", "mapping": {"type": "sphere", "pole": [0, 0, 1], "equator": [0, 1, 0]}, "bump": {"type": "height-texture", "texture": "levels"}},
+             "texture": "squares", "mapping": {"type": "sphere", "pole": [0, 0, 1], "equator": [0, 1, 0], "of_positions": true}, "bump": {"type": "height-texture", "texture": "levels"}},
     "rough": {"pattern": {"type": "random-squares"}, "bump": {"type": "rough"}}},
   "environment": {"source": "sky", "resolution": 64, "look_up": "panorama", "rotation_degrees": 30, "shown": false,
     "sky": {"zenith": [0, 0, 1], "horizon": 0.8, "ground": 0.1, "sun_towards": [0, 1, 1], "sun_degrees": 3, "sun": 10, "glow": 1, "cloudiness": 0, "seed": 2}},
