@@ -1,4 +1,4 @@
-// tuberia render MODEL -o FILE
+// tuberia render MODEL -o FILE, and SCENE.json in place of the model
 
 #include <cstdio>
 #include <memory>
@@ -8,6 +8,7 @@
 #include "examples/tuberia/picture_options.hpp"
 #include "examples/tuberia/pipeline_options.hpp"
 #include "examples/tuberia/render_model.hpp"
+#include "examples/tuberia/render_scene.hpp"
 #include "examples/tuberia/views.hpp"
 #include "image/box_filter.hpp"
 #include "image/write_image.hpp"
@@ -21,6 +22,7 @@ struct RenderArguments {
   std::string model, output, depth_output, view = "colour";
   bool statistics = false;
   int supersample = 1;  // pixels drawn each way for every one of the picture
+  double time = 0;      // of a scene
   PictureArguments picture;
   PipelineArguments pipeline;
   BudgetArguments budget;
@@ -65,8 +67,21 @@ int run_view(const RenderArguments& arguments, const Model& model, const RenderO
   return kFine;
 }
 
+int run_scene(const RenderArguments& arguments, const CLI::App& command) {
+  if (const auto good = check_scene_options(command); !good) return fail(good.error().message);
+  const auto options = render_options_of(arguments.picture);
+  if (!options) return fail(options.error().message);
+  const auto pipeline_options = options_of(arguments.pipeline);
+  if (!pipeline_options) return fail(pipeline_options.error().message);
+  SceneArguments scene{.scene = arguments.model, .output = arguments.output, .size_pixels = {}, .supersampling = {}, .time = arguments.time, .statistics = arguments.statistics};
+  if (command.count("--size") > 0) scene.size_pixels = glm::ivec2(options->width_pixels, options->height_pixels);
+  if (command.count("--supersample") > 0) scene.supersampling = arguments.supersample;
+  return render_scene(scene, *pipeline_options);
+}
+
 int run_render(const RenderArguments& arguments) {
   const bool is_map = arguments.view != "colour";
+  if (arguments.time != 0) return fail("--time goes with scene files; a model does not move");
   if (is_map && !arguments.depth_output.empty()) return fail("--view " + arguments.view + " draws a map; --depth goes with the model's colours");
   if (is_map && arguments.statistics) return fail("--view " + arguments.view + " draws a map; --stats goes with the model's colours");
   if (arguments.supersample > 1 && (is_map || !arguments.depth_output.empty())) return fail("--supersample goes with the model's colours, not with --view or --depth");
@@ -100,8 +115,8 @@ int run_render(const RenderArguments& arguments) {
 
 Run add_render(CLI::App& parent, CLI::App*& command) {
   const auto arguments = std::make_shared<RenderArguments>();
-  command = parent.add_subcommand("render", "Draw a model file to a picture");
-  command->add_option("model", arguments->model, "OBJ, glTF, PLY, 3DS, Collada, OFF, STL, ...")->required();
+  command = parent.add_subcommand("render", "Draw a model or scene file to a picture");
+  command->add_option("model", arguments->model, "OBJ, glTF, PLY, 3DS, Collada, OFF, STL, ...; or a scene, .json")->required();
   command->add_option("-o,--output", arguments->output, "Picture to write: .png, .ppm, .tga, .bmp, .jpg, .pfm, .hdr")->required();
   command->add_option("--view", arguments->view, "What the picture shows: the model's colours, or a map with a legend")
       ->check(CLI::IsMember(view_names()));
@@ -113,7 +128,8 @@ Run add_render(CLI::App& parent, CLI::App*& command) {
   add_picture_options(*command, arguments->picture);
   add_pipeline_options(*command, arguments->pipeline);
   add_budget_options(*command, arguments->budget);
-  return [arguments] { return run_render(*arguments); };
+  command->add_option("--time", arguments->time, "Of a scene: how far its camera has moved")->check(CLI::Range(0.0, 1.0));
+  return [arguments, command] { return is_scene_file(arguments->model) ? run_scene(*arguments, *command) : run_render(*arguments); };
 }
 
 }  // namespace tuberia::cli

@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "examples/tuberia/demo_models.hpp"
+#include "examples/tuberia/render_scene.hpp"
 #include "scene/load_model.hpp"
 
 namespace tuberia::cli {
@@ -19,6 +20,7 @@ Result<Subject> subject_of(const SubjectArguments& arguments) {
   if (arguments.demo.empty() == arguments.model.empty())
     return Error{arguments.command->get_name() + ": name a model file or --demo, one of the two"};
   if (arguments.demo.empty()) {
+    if (is_scene_file(arguments.model)) return Error{arguments.model + " is a scene, and this command looks at models; tuberia render draws scenes"};
     auto model = load_model(arguments.model);
     if (!model) return model.error();
     for (const std::string& warning : model->warnings) std::fprintf(stderr, "tuberia: warning: %s\n", warning.c_str());

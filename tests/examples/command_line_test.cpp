@@ -25,11 +25,18 @@ void write_triangle(const std::filesystem::path& path) {
   std::ofstream(path) << "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3\n";
 }
 
+void write_scene(const std::filesystem::path& path) {
+  std::ofstream(path) << R"({"title": "A ball", "image": {"width": 40, "height": 30}, "lights": [{"type": "directional", "shadow": {"resolution": 64}}],
+    "materials": {"red": {"diffuse": [1, 0, 0], "specular": 0.5}}, "objects": [{"shape": {"type": "sphere"}, "material": "red"}]})";
+}
+
 }  // namespace
 
 TEST_CASE("tuberia: refuses bad input in one line and leaves no file", "[examples]") {
   const TemporaryFolder folder;
   write_triangle(folder / "triangle.obj");
+  write_scene(folder / "scene.json");
+  folder.write("bad.json", "{\"materials\": {\"red\": {\n\"exponent\": -3}}}");
   struct Refused {
     const char *arguments, *culprit;
   };
@@ -62,6 +69,17 @@ TEST_CASE("tuberia: refuses bad input in one line and leaves no file", "[example
                               {"render triangle.obj", "--output"},
                               {"paint triangle.obj", "paint"},
                               {"info missing.obj", "missing.obj"},
+                              {"info", "model is required"},
+                              {"info missing.json", "missing.json"},
+                              {"render missing.json -o out.png", "missing.json"},
+                              {"render bad.json -o out.png", "bad.json:2: materials.red.exponent is -3, but must be 0 or more"},
+                              {"info bad.json", "bad.json:2: materials.red.exponent"},
+                              {"render scene.json -o out.png --filter nearest", "--filter goes with model files"},
+                              {"render scene.json -o out.png --view depth", "--view goes with model files"},
+                              {"render scene.json -o out.png --time 2", "--time"},
+                              {"render scene.json -o out.xyz", "out.xyz"},
+                              {"requirements scene.json", "scene.json is a scene"},
+                              {"render triangle.obj -o out.png --time 0.5", "--time goes with scene files"},
                               {"compare missing.png other.png", "missing.png"}}) {
     const Outcome outcome = run(each.arguments, folder);
     INFO(each.arguments << " says: " << outcome.output);
@@ -71,6 +89,35 @@ TEST_CASE("tuberia: refuses bad input in one line and leaves no file", "[example
     CHECK(!std::filesystem::exists(folder / "out.png"));
     CHECK(!std::filesystem::exists(folder / "out.xyz"));
   }
+}
+
+TEST_CASE("tuberia: renders scenes, with progress, the same on any number of threads", "[examples][C02]") {
+  const TemporaryFolder folder;
+  write_scene(folder / "a ball.json");
+  const Outcome one = run("render 'a ball.json' -o one.png --threads 1 --stats", folder);
+  INFO(one.output);
+  REQUIRE(one.status == 0);
+  for (const char* words : {"shadows of light 0", "picture", "2 passes", "triangles drawn"}) CHECK(one.output.find(words) != std::string::npos);
+  REQUIRE(run("render 'a ball.json' -o three.png --threads 3", folder).status == 0);
+  CHECK(content(folder / "one.png") == content(folder / "three.png"));
+  const auto picture = read_image(folder / "one.png");
+  REQUIRE(picture.ok());
+  CHECK(picture->width() == 40);
+  CHECK(picture->at(20, 15).r > 200);
+  CHECK(picture->at(1, 1) == Rgba8{0, 0, 0, 255});
+  REQUIRE(run("render 'a ball.json' -o large.png --size 80x20 --supersample 2", folder).status == 0);
+  CHECK(read_image(folder / "large.png")->width() == 80);
+  REQUIRE(run("render 'a ball.json' -o light.pfm", folder).status == 0);
+  CHECK(read_float_image(folder / "light.pfm")->at(20, 15).r > 1);  // its highlight is more than a screen shows
+}
+
+TEST_CASE("tuberia: tells what a scene holds, and what a scene may hold", "[examples][C02]") {
+  const TemporaryFolder folder;
+  write_scene(folder / "ball.json");
+  const Outcome info = run("info ball.json", folder);
+  CHECK(info.status == 0);
+  for (const char* words : {"A ball", "40x30", "directional, casts shadows", "material  'red'", "sphere, Phong shading, material 'red'"}) CHECK(info.output.find(words) != std::string::npos);
+  CHECK(run("info --scene-keys", folder).output == content("docs/scene_file.md"));
 }
 
 TEST_CASE("tuberia: renders a file whose name has spaces and compares pictures", "[examples]") {

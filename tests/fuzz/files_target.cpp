@@ -8,6 +8,7 @@
 
 #include "examples/tuberia/render_model.hpp"
 #include "image/read_image.hpp"
+#include "scene/description/read_scene.hpp"
 #include "scene/load_model.hpp"
 #include "tests/fuzz/targets.hpp"
 
@@ -20,6 +21,7 @@ namespace fs = std::filesystem;
 constexpr std::array<std::string_view, 16> kExtensions{".obj", ".ply", ".off", ".stl", ".dae", ".glb", ".gltf", ".3ds",
                                                        ".png", ".jpg", ".tga", ".bmp", ".ppm", ".pgm", ".hdr", ".pfm"};
 constexpr std::size_t kModelExtensions = 8;
+constexpr std::uint8_t kScene = 0xff;  // beyond the others, so that they go on meaning what they meant
 
 /// A folder of this process, gone when it ends.
 class Folder {
@@ -71,6 +73,15 @@ std::string try_model(const fs::path& file) {
   return statistics ? "" : "a model that was read cannot be drawn: " + statistics.error().message;
 }
 
+/// What is read is written as a text that reads as the same.
+std::string try_scene(Input bytes) {
+  const auto scene = scene_from_json({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, "scene.json");
+  if (!scene) return is_one_line(scene.error().message) ? "" : "an error of several lines: " + scene.error().message;
+  const auto again = scene_from_json(json_of_scene(*scene), "again.json");
+  if (!again) return "a scene that was read cannot be read again: " + again.error().message;
+  return *again == *scene ? "" : "a scene changes when it is written and read";
+}
+
 template <class Pixel>
 std::string try_image(const Result<Image<Pixel>>& image) {
   if (!image) return is_one_line(image.error().message) ? "" : "an error of several lines: " + image.error().message;
@@ -83,6 +94,7 @@ std::string try_image(const Result<Image<Pixel>>& image) {
 std::string try_files(Input input) {
   static const Folder folder;
   if (input.empty()) return {};
+  if (input[0] == kScene) return try_scene(input.subspan(1));
   const std::size_t kind = input[0] % kExtensions.size();
   const fs::path file = folder.write(kExtensions[kind], input.subspan(1));
   if (kind < kModelExtensions) return try_model(file);

@@ -15,7 +15,8 @@ using Input = std::span<const std::uint8_t>;
 /// threads gives the same bits, and the triangles alone cover what the rational witness says.
 std::string try_raster(Input);
 
-/// A file; the first byte chooses its extension. What is read must be drawable.
+/// A file; the first byte chooses its extension. What is read must be drawable; scenes, that they are written
+/// as they were read.
 std::string try_files(Input);
 
 /// The command line of a drawing command, one argument a line. What is accepted must be drawable.
