@@ -2,7 +2,9 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <string>
 
 #include "image/write_image.hpp"
@@ -95,6 +97,23 @@ TEST_CASE("gltf: what is not honoured is said, once for each material", "[scene]
   CAPTURE(warning);
   CHECK(one_line_naming(warning, "material 'lamp' of model"));
   for (const char* words : {"one.gltf", "a metallic-roughness texture", "an occlusion texture", "an emissive texture", "light of its own"}) CHECK(one_line_naming(warning, words));
+}
+
+TEST_CASE("gltf: Assimp's clear coats are read with their relief, and said to be left out", "[scene][gltf][models]") {
+  const std::filesystem::path path = "/usr/share/assimp/models/glTF2/ClearCoat-glTF/ClearCoatTest.gltf";
+  if (!std::filesystem::exists(path)) return;
+  const auto model = load_model(path);
+  REQUIRE(model.ok());
+  int with_relief = 0;
+  for (const Material& material : model->materials) {
+    with_relief += material.normal_texture >= 0;
+  }
+  CHECK(with_relief > 0);
+  const auto tells = [&](const std::string& words) {
+    return std::any_of(model->warnings.begin(), model->warnings.end(), [&](const std::string& warning) { return one_line_naming(warning, words); });
+  };
+  CHECK(tells("a clear coat"));
+  CHECK(tells("a metallic-roughness texture"));
 }
 
 TEST_CASE("gltf: other formats keep the materials that they have", "[scene][gltf]") {
