@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "image/exposure.hpp"
 #include "math/colour.hpp"
 
 namespace tuberia {
@@ -11,19 +12,6 @@ namespace {
 /// NaN gives 0, and so does what is below it.
 float at_least_0(float value) { return value > 0 ? value : 0; }
 float clamped(float value) { return std::min(at_least_0(value), 1.0f); }
-
-void multiply(Image<Rgba32F>& image, float factor) {
-  for (Rgba32F& pixel : image.pixels()) pixel = {pixel.r * factor, pixel.g * factor, pixel.b * factor, pixel.a};
-}
-
-/// Of all channels that are finite.
-float largest_channel(const Image<Rgba32F>& image) {
-  float largest = 0;
-  for (const Rgba32F& pixel : image.pixels())
-    for (const float channel : {pixel.r, pixel.g, pixel.b})
-      if (std::isfinite(channel)) largest = std::max(largest, channel);
-  return largest;
-}
 
 /// Each pixel's channels keep their proportions.
 Rgba32F scaled_to_range(const Rgba32F& pixel) {
@@ -36,9 +24,8 @@ Rgba32F scaled_to_range(const Rgba32F& pixel) {
 }  // namespace
 
 Image<Rgba32F> developed(Image<Rgba32F> light, const description::Picture& picture) {
-  if (picture.exposure_stops != 0) multiply(light, static_cast<float>(std::exp2(picture.exposure_stops)));
-  const float largest = picture.overflow == description::Overflow::global_scale ? largest_channel(light) : 0;
-  if (largest > 1) multiply(light, 1 / largest);
+  if (picture.exposure_stops != 0) expose(light, static_cast<float>(std::exp2(picture.exposure_stops)));
+  if (picture.overflow == description::Overflow::global_scale) scale_to_range(light);
   for (Rgba32F& pixel : light.pixels()) {
     if (picture.overflow == description::Overflow::hue_preserving) pixel = scaled_to_range(pixel);
     pixel = {clamped(pixel.r), clamped(pixel.g), clamped(pixel.b), clamped(pixel.a)};

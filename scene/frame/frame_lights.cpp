@@ -4,32 +4,27 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "scene/area_light.hpp"
+
 namespace tuberia {
 namespace {
 
 constexpr double kRadiansPerDegree = std::numbers::pi / 180;
 
-std::vector<Light> points_of_area(const description::Light& area, Light light) {
-  std::vector<Light> points;
-  const int n = area.samples;
-  light.intensity = area.intensity / static_cast<float>(n * n);
-  for (int j = 0; j < n; ++j)
-    for (int i = 0; i < n; ++i) {
-      const glm::dvec2 at((i + 0.5) / n - 0.5, (j + 0.5) / n - 0.5);
-      light.towards = glm::vec3(area.position + at.x * area.edge_u + at.y * area.edge_v);
-      points.push_back(light);
-    }
-  return points;
+/// From its middle to its corner.
+AreaLight area_of(const description::Light& from, const Light& light) {
+  return {.corner = glm::vec3(from.position - (from.edge_u + from.edge_v) * 0.5), .edge_u = glm::vec3(from.edge_u), .edge_v = glm::vec3(from.edge_v),
+          .intensity = from.intensity, .falloff = light.falloff, .falloff_distance = light.falloff_distance};
 }
 
 }  // namespace
 
-std::vector<Light> lights_of(const description::Light& from) {
+Result<std::vector<Light>> lights_of(const description::Light& from) {
   using Kind = description::Light::Kind;
   Light light{.kind = Light::Kind::point, .towards = glm::vec3(from.position), .intensity = from.intensity};
   light.falloff = static_cast<Falloff>(from.falloff);
   light.falloff_distance = static_cast<float>(from.falloff_distance);
-  if (from.kind == Kind::area) return points_of_area(from, light);
+  if (from.kind == Kind::area) return point_lights_of(area_of(from, light), from.samples);
   if (from.kind == Kind::directional) {
     light.kind = Light::Kind::directional;
     light.towards = glm::vec3(glm::normalize(from.towards));
@@ -41,7 +36,7 @@ std::vector<Light> lights_of(const description::Light& from) {
     light.cos_inner = static_cast<float>(std::cos(from.full_cone_degrees * kRadiansPerDegree));
     light.cos_outer = static_cast<float>(std::cos(from.cone_degrees * kRadiansPerDegree));
   }
-  return {light};
+  return std::vector<Light>{light};
 }
 
 }  // namespace tuberia

@@ -89,8 +89,10 @@ Result<ProjectedTexture> projection_of(const description::Light& light, const Fr
 
 Result<std::vector<SurfaceLight>> lights_with_shadows(Pipeline& pipeline, const description::Light& light, std::span<const DrawCall> casters,
                                                       const Bounds& seen, const FrameTextures& textures) {
+  const auto points = lights_of(light);
+  if (!points) return points.error();
   std::vector<SurfaceLight> lights;
-  for (const Light& point : lights_of(light)) {
+  for (const Light& point : *points) {
     SurfaceLight& one = lights.emplace_back(SurfaceLight{.light = point});
     if (light.shadow && !casters.empty()) {
       auto map = shadow_of(pipeline, light, point, casters, seen);

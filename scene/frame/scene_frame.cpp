@@ -7,6 +7,7 @@
 #include "scene/environment/background.hpp"
 #include "scene/frame/frame_environment.hpp"
 #include "scene/frame/frame_shadows.hpp"
+#include "scene/mesh_view.hpp"
 
 namespace tuberia {
 
@@ -105,11 +106,8 @@ std::int64_t SceneFrame::triangle_count() const noexcept {
 }
 
 DrawCall SceneFrame::draw_of(const Part& part, const Camera& camera) const {
-  const Mesh& mesh = part.part.mesh;
   DrawCall draw;
-  draw.mesh = {.positions = mesh.positions, .normals = mesh.normals, .texcoords = mesh.texcoords, .colours = mesh.colours, .indices = mesh.indices};
-  draw.mesh.tangents = mesh.tangents;
-  draw.mesh.bitangents = mesh.bitangents;
+  draw.mesh = mesh_view(part.part.mesh);
   draw.state.transform.world_from_object = part.world_from_object;
   if (const auto matrices = camera_matrices(camera)) draw.state.transform.clip_from_world = matrices->clip_from_world;
   draw.state.clipping.volume = camera.clip_volume;
