@@ -36,7 +36,7 @@ const std::vector<std::string> kHeadings{"program", "exact, ns", "fast, ns", "ex
 
 /// A bar for each program, its part that is more than the base in another colour.
 std::string bars(std::span<const ProgramCost> costs) {
-  constexpr int kRow = 20, kLabels = 560, kWidth = 460, kNumbers = 90;
+  constexpr int kRow = 20, kLabels = 680, kWidth = 400, kNumbers = 90;
   double largest = 0;
   for (const ProgramCost& c : costs) largest = std::max(largest, c.exact);
   const double base = base_of(costs).exact;
