@@ -70,7 +70,7 @@ void add_model(SurfaceUniforms& surface, Reflection model) {
 
 void add_bump(SurfaceUniforms& surface, BumpMap::Kind kind) {
   surface.bump.kind = kind;
-  surface.bump.gain = 0.03f;
+  surface.bump.gain = 0.01f;
   if (kind == BumpMap::Kind::height_texture || kind == BumpMap::Kind::normal_map) surface.bump.texture = picture(TextureEncoding::linear);
 }
 
