@@ -15,7 +15,7 @@
 #include "pipeline/programs/transformed-inl.hpp"
 #include "raster/sampler.hpp"
 #include "raster/simd/elementary-inl.hpp"
-#include "raster/simd/texture-inl.hpp"
+#include "raster/simd/texture_at_level-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace tuberia {
@@ -37,14 +37,18 @@ HWY_INLINE F accessed_level(const Texture& texture, const TextureAccess& access,
   return angular_level(normalize(transformed(access.globe_from_world, point)), texels_per_turn * 0.159154943f);
 }
 
-/// The texture's colour. in: samples textures; eye, point: world space.                [A 1.1]
+/// Whether a texture is read at the vertices' coordinates and by their derivatives.
+constexpr bool is_usual(const TextureAccess& access) {
+  return access.coordinates == TextureAccess::Coordinates::vertices && access.level_rule == TextureAccess::LevelRule::derivatives;
+}
+
+/// The texture's colour at uv, which are accessed_texcoord's. in: samples textures; eye, point: world space.   [A 1.1]
 template <class Reader, class F>
 HWY_INLINE Vec4<F> accessed_colour(Reader& in, const Texture& texture, const Sampler& sampler, const TextureAccess& access, Vec2<F> uv, Vec3<F> eye, Vec3<F> point) {
-  const bool is_usual = access.coordinates == TextureAccess::Coordinates::vertices && access.level_rule == TextureAccess::LevelRule::derivatives;
-  if (is_usual) return in.sample(texture, sampler, uv);
+  if (is_usual(access)) return in.sample(texture, sampler, uv);
   Sampler wrapped = sampler;
   if (access.coordinates == TextureAccess::Coordinates::sphere) wrapped.wrap_u = Wrap::repeat, wrapped.wrap_v = Wrap::clamp;
-  return sample_at_level(texture, wrapped, Vec3<F>(uv.x, uv.y, F(0.0f)), accessed_level(texture, access, eye, point), in.live());
+  return sample_at_level(texture, wrapped, uv, accessed_level(texture, access, eye, point), in.live());
 }
 
 }  // namespace HWY_NAMESPACE

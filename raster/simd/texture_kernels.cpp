@@ -10,6 +10,7 @@
 #include "raster/simd/quad-inl.hpp"
 #include "raster/simd/rectangle-inl.hpp"
 #include "raster/simd/texture-inl.hpp"
+#include "raster/simd/texture_at_level-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace tuberia {
@@ -87,6 +88,23 @@ template Vec4<Float<Precision::exact>> sample_lanes(const Texture&, const Sample
 template Vec4<Float<Precision::fused_multiply_add>> sample_lanes(const Texture&, const Sampler&, Float<Precision::fused_multiply_add>, Float<Precision::fused_multiply_add>, std::uint32_t, LevelGuess&);
 template Vec4<Float<Precision::fast_power>> sample_lanes(const Texture&, const Sampler&, Float<Precision::fast_power>, Float<Precision::fast_power>, std::uint32_t, LevelGuess&);
 template Vec4<Float<Precision::fast>> sample_lanes(const Texture&, const Sampler&, Float<Precision::fast>, Float<Precision::fast>, std::uint32_t, LevelGuess&);
+
+template <Precision P>
+Vec4<Float<P>> sample_lanes_at_level(const Texture& texture, const Sampler& sampler, Float<P> u, Float<P> v, Float<P> level, std::uint32_t live) {
+  using F = Float<P>;
+  if (live == 0) return Vec4<F>(F(0.0f), F(0.0f), F(0.0f), F(0.0f));
+  if (!is_everyday(texture, sampler) || !is_usual(sampler)) return sample_at_level(texture, sampler, Vec3<F>(u, v, F(0.0f)), level, mask_of(live));
+  const CodeReader from{texture, sampler};
+  const F reduced_u = reduce_coordinate(u, sampler.wrap_u), reduced_v = reduce_coordinate(v, sampler.wrap_v);
+  if (sampler.mipmaps == MipmapFilter::none || texture.level_count() == 1) return sample_level(from, 0, reduced_u, reduced_v, mask_of(live));
+  return mix_levels(texture, sampler, level, mask_of(live),
+                    [&](int number, Mask here) HWY_ATTR { return sample_level(from, number, reduced_u, reduced_v, here & mask_of(live)); });
+}
+
+template Vec4<Float<Precision::exact>> sample_lanes_at_level(const Texture&, const Sampler&, Float<Precision::exact>, Float<Precision::exact>, Float<Precision::exact>, std::uint32_t);
+template Vec4<Float<Precision::fused_multiply_add>> sample_lanes_at_level(const Texture&, const Sampler&, Float<Precision::fused_multiply_add>, Float<Precision::fused_multiply_add>, Float<Precision::fused_multiply_add>, std::uint32_t);
+template Vec4<Float<Precision::fast_power>> sample_lanes_at_level(const Texture&, const Sampler&, Float<Precision::fast_power>, Float<Precision::fast_power>, Float<Precision::fast_power>, std::uint32_t);
+template Vec4<Float<Precision::fast>> sample_lanes_at_level(const Texture&, const Sampler&, Float<Precision::fast>, Float<Precision::fast>, Float<Precision::fast>, std::uint32_t);
 
 }  // namespace HWY_NAMESPACE
 }  // namespace tuberia

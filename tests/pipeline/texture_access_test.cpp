@@ -5,6 +5,7 @@
 
 #include "image/box_filter.hpp"
 #include "raster/level_colours.hpp"
+#include "raster/sample_texture.hpp"
 #include "tests/pipeline/technique_program_kernels.hpp"
 #include "tests/support/every_instruction_set.hpp"
 #include "tests/support/meshes.hpp"
@@ -129,6 +130,30 @@ TEST_CASE("texture access: by the distance rule each doubling of the distance is
   uniforms.access.level_rule = LevelRule::distance;
   CHECK(facing_square(reference / 8, uniforms).at(48, 48) == Rgba32F{1, 0, 0, 1});
   CHECK(facing_square(reference * 1024, uniforms).at(48, 48) == facing_square(reference * 64, uniforms).at(48, 48));
+}
+
+TEST_CASE("texture access: a level of the program's own is what a lookup at that level reads", "[pipeline][texture][A03]") {
+  test::Random random(411);
+  Image<Rgba8> noise(32, 16);
+  for (Rgba8& p : noise.pixels()) p = {static_cast<std::uint8_t>(random.below(256)), static_cast<std::uint8_t>(random.below(256)), 7, static_cast<std::uint8_t>(random.below(256))};
+  // A square seen from a distance of 1 to all its points: the level is that of the texel_distance alone.
+  const test::Mesh mesh = test::rectangle({-1, 1, 0}, {2, 0, 0}, {0, -2, 0}, {0, 0, 1});
+  for (const TextureEncoding encoding : {TextureEncoding::linear, TextureEncoding::srgb})
+    for (const MipmapFilter mipmaps : {MipmapFilter::none, MipmapFilter::nearest, MipmapFilter::linear})
+      for (const Wrap wrap : {Wrap::repeat, Wrap::clamp, Wrap::mirror, Wrap::border})
+        for (const float anisotropy : {1.0f, 4.0f}) {
+          TechniqueUniforms uniforms{.shown = Shown::texture, .texture = test::texture_of(noise, encoding)};
+          uniforms.sampler = {.mipmaps = mipmaps, .wrap_u = wrap, .wrap_v = wrap, .max_anisotropy = anisotropy};
+          uniforms.eye = {0, 0, 1e6f};
+          const float level = random.between(-1, 6);
+          uniforms.access = {.level_rule = LevelRule::distance, .texel_distance = 1e6f * std::exp2(-level)};
+          const Image<Rgba32F> picture = test::render(mesh, test::technique(uniforms), {}, {.width = 16, .height = 16, .colour = ColourFormat::rgba32f}).linear;
+          const int x = static_cast<int>(random.below(16)), y = static_cast<int>(random.below(16));
+          const Rgba32F right = sample_texture(*uniforms.texture, uniforms.sampler, {.at = {(static_cast<float>(x) + 0.5f) / 16, (static_cast<float>(y) + 0.5f) / 16, 0}, .lod = level});
+          INFO("seed 411, level " << level);
+          CHECK(picture.at(x, y).r == Approx(right.r).margin(1e-5));
+          CHECK(picture.at(x, y).a == Approx(right.a).margin(1e-5));
+        }
 }
 
 TEST_CASE("texture access: levels mixed by the logarithm of the distance change without jumps", "[pipeline][texture][A04]") {
