@@ -121,8 +121,9 @@ HWY_INLINE F lit_share(const ShadowMap& map, const MapPoint<F>& at, Int first_te
       return select((reference > depth) & (depth < 1.0f), F(0.0f), F(1.0f));
     });
   });
+  // Times the reciprocal is 1 for a sum of box * box, up to kMaxTaps.
   const auto box = static_cast<float>(map.taps > 1 ? map.taps - 1 : 1);
-  return sum / (box * box);
+  return sum * (1.0f / (box * box));
 }
 
 /// V: how much of a light reaches a point, 0 to 1; none where the surface is turned away. n, l: unit, the
