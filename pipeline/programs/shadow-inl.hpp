@@ -126,11 +126,8 @@ HWY_INLINE F lit_share(const ShadowMap& map, const MapPoint<F>& at, Int first_te
   return sum * (1.0f / (box * box));
 }
 
-/// V: how much of a light reaches a point, 0 to 1; none where the surface is turned away. n, l: unit, the
-/// surface's normal (without relief) and the direction to the light. Outside of the light's view V is 1.
-/// Out of line, so that lights without shadow keep their registers.                   [A 1.3] [FIX 13]
 template <class F>
-HWY_NOINLINE F light_visibility(const ShadowMap& map, const Vec3<F>& point, const Vec3<F>& n, const Vec3<F>& l) {
+HWY_NOINLINE F visibility_out_of_line(const ShadowMap& map, const Vec3<F>& point, const Vec3<F>& n, const Vec3<F>& l) {
   const F light_cosine = dot(n, l);
   const Vec3<F> compared = biased_point(map, point, n, l, light_cosine);
   MapPoint<F> at;
@@ -147,15 +144,31 @@ HWY_NOINLINE F light_visibility(const ShadowMap& map, const Vec3<F>& point, cons
   return select(at.inside, lit_share(map, at, first_texel), F(1.0f)) * open_sky;
 }
 
-/// The colour that a projector throws on a point; the texture's level follows from how much its coordinates
-/// change from fragment to fragment.
 template <class Fragment, class F>
-HWY_NOINLINE Vec3<F> projected_light(const Fragment& in, const ProjectedTexture& projected, const Vec3<F>& point) {
+HWY_NOINLINE Vec3<F> projection_out_of_line(const Fragment& in, const ProjectedTexture& projected, const Vec3<F>& point) {
   const MapPoint<F> at = map_point(projected.map_from_world, point);
   if (none(at.inside)) return Vec3<F>(F(0.0f));
   const Vec3<F> colour = in.sample(*projected.texture, projected.sampler, Vec2<F>{at.s, at.t}).rgb();
   const auto thrown = [&](F channel) HWY_ATTR { return select(at.inside, channel, F(0.0f)); };
   return {thrown(colour.x), thrown(colour.y), thrown(colour.z)};
+}
+
+// The two that programs call take copies, so that only what has a shadow or a picture puts its numbers in
+// memory: where a program's own had their addresses taken, every light without cost a tenth more.
+
+/// V: how much of a light reaches a point, 0 to 1; none where the surface is turned away. n, l: unit, the
+/// surface's normal (without relief) and the direction to the light. Outside of the light's view V is 1.
+///                                                                                    [A 1.3] [FIX 13]
+template <class F>
+HWY_INLINE F light_visibility(const ShadowMap& map, Vec3<F> point, Vec3<F> n, Vec3<F> l) {
+  return visibility_out_of_line(map, point, n, l);
+}
+
+/// The colour that a projector throws on a point; the texture's level follows from how much its coordinates
+/// change from fragment to fragment.
+template <class Fragment, class F>
+HWY_INLINE Vec3<F> projected_light(const Fragment& in, const ProjectedTexture& projected, Vec3<F> point) {
+  return projection_out_of_line(in, projected, point);
 }
 
 }  // namespace HWY_NAMESPACE
