@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "image/stb_functions.hpp"
 #include <stb/stb_image.h>
 
 #include "image/file.hpp"

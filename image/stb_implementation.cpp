@@ -2,6 +2,8 @@
 // use: the decoders left out (GIF, PSD, PIC) have a history of reading out of bounds, and for .hdr
 // and PNM we have our own, for the reasons that radiance.hpp and pnm.hpp give.
 
+#include "image/stb_functions.hpp"
+
 #define STBI_ONLY_PNG
 #define STBI_ONLY_JPEG
 #define STBI_ONLY_TGA

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "image/stb_functions.hpp"
 #include <stb/stb_image_write.h>
 
 #include "image/file.hpp"
