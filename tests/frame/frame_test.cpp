@@ -48,26 +48,26 @@ constexpr const char* kManyThings = R"({
 }  // namespace
 
 TEST_CASE("frame: a cube in ambient light is one flat colour", "[B06][frame]") {
-  const SceneDescription scene = example_scene("cube_ambient.json", 80, 80);
+  const SceneDescription scene = example_scene("01_ambient_light.json", 80, 80);
   const DrawnScene picture = drawn(scene);
   std::set<float> intensities;
   for (const Rgba32F& pixel : picture.light.pixels()) intensities.insert(pixel.r);
   REQUIRE(intensities.size() == 2);  // background and cube
-  CHECK(*intensities.begin() == 0);
-  CHECK(*intensities.rbegin() == Approx(0.6 * 0.7));
+  CHECK(*intensities.begin() == Approx(scene.picture.background.r));
+  CHECK(*intensities.rbegin() == Approx(0.6 * 0.75));
   CHECK(picture.passes == std::vector<std::string>{"picture"});
 }
 
 TEST_CASE("frame: the middle of each diffuse sphere shows kd", "[B07][frame]") {
-  const DrawnScene picture = drawn(example_scene("spheres_diffuse.json", 640, 176));
+  const DrawnScene picture = drawn(example_scene("02_diffuse_reflection.json", 960, 250));
   const float expected[4] = {0.1f, 0.4f, 0.7f, 0.95f};
-  for (int i = 0; i < 4; ++i) CHECK(picture.at({-3.0f + 2 * static_cast<float>(i), 0, 0.9f}).r == Approx(expected[i]).margin(1e-3));
+  for (int i = 0; i < 4; ++i) CHECK(picture.at({-3.45f + 2.3f * static_cast<float>(i), 0, 1}).r == Approx(expected[i]).margin(1e-3));
 }
 
 TEST_CASE("frame: where the light does not reach, spheres show kd Ia", "[B08][frame]") {
-  const DrawnScene picture = drawn(example_scene("spheres_ambient.json", 640, 176));
+  const DrawnScene picture = drawn(example_scene("03_ambient_and_diffuse.json", 960, 250));
   const float expected[4] = {0, 0.08f, 0.16f, 0.24f};
-  for (int i = 0; i < 4; ++i) CHECK(picture.at({-3.6f + 2 * static_cast<float>(i), -0.5f, 0.3f}).r == Approx(expected[i]));
+  for (int i = 0; i < 4; ++i) CHECK(picture.at({-2.9f + 2.3f * static_cast<float>(i), -0.6f, 0.5f}).r == Approx(expected[i]));
 }
 
 TEST_CASE("frame: shadows of directional lights are parallel, of points they spread", "[A14][B02][frame]") {
