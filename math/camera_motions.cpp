@@ -137,7 +137,7 @@ Result<Camera> roll(const Camera& camera, double angle_radians) {
 Result<std::array<glm::dvec4, 6>> frustum_planes(const Camera& camera) {
   if (const auto checked = camera_matrices(camera); !checked) return checked.error();
   const auto basis = basis_of(camera);
-  const auto& [u, v, w] = *basis;
+  const glm::dvec3 u = basis->u, v = basis->v, w = basis->w;
   const ViewVolume& view = camera.view;
   const bool parallel = camera.projection == Projection::orthographic;
   // The sides of a perspective volume pass through the eye, those of a parallel one through the window's edges.

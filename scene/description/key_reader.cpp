@@ -189,14 +189,14 @@ void KeyReader::end_object() {
 }
 
 std::size_t KeyReader::begin_list(const Key& key, std::size_t) {
-  static const LocatedJson kEmpty{.kind = LocatedJson::Kind::list};
+  static const LocatedJson kEmpty = json_of_kind(LocatedJson::Kind::list);
   if (const LocatedJson* json = open_level(key, LocatedJson::Kind::list)) return json->items.size();
   levels_.push_back({.json = &kEmpty, .path = ""});
   return 0;
 }
 
 std::size_t KeyReader::begin_named(const Key& key, std::size_t) {
-  static const LocatedJson kEmpty{.kind = LocatedJson::Kind::object};
+  static const LocatedJson kEmpty = json_of_kind(LocatedJson::Kind::object);
   if (const LocatedJson* json = open_level(key, LocatedJson::Kind::object)) return json->members.size();
   levels_.push_back({.json = &kEmpty, .path = ""});
   return 0;

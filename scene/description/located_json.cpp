@@ -78,12 +78,20 @@ class Builder {
   LocatedJson root;
   std::optional<JsonError> error;
 
-  bool null() { return add({.kind = LocatedJson::Kind::null}); }
-  bool boolean(bool value) { return add({.kind = LocatedJson::Kind::flag, .flag = value}); }
+  bool null() { return add(json_of_kind(LocatedJson::Kind::null)); }
+  bool boolean(bool value) {
+    LocatedJson json = json_of_kind(LocatedJson::Kind::flag);
+    json.flag = value;
+    return add(std::move(json));
+  }
   bool number_integer(Json::number_integer_t value) { return number(static_cast<double>(value)); }
   bool number_unsigned(Json::number_unsigned_t value) { return number(static_cast<double>(value)); }
   bool number_float(Json::number_float_t value, const std::string&) { return number(value); }
-  bool string(std::string& value) { return add({.kind = LocatedJson::Kind::text, .text = std::move(value)}); }
+  bool string(std::string& value) {
+    LocatedJson json = json_of_kind(LocatedJson::Kind::text);
+    json.text = std::move(value);
+    return add(std::move(json));
+  }
   bool binary(Json::binary_t&) { return false; }
   bool start_object(std::size_t) { return open(LocatedJson::Kind::object); }
   bool start_array(std::size_t) { return open(LocatedJson::Kind::list); }
@@ -124,7 +132,8 @@ class Builder {
   bool number(double value) {
     std::size_t last = *read_ > 0 ? *read_ - 1 : 0;
     if (last > 0 && !is_of_number(text_[last])) --last;
-    LocatedJson json{.kind = LocatedJson::Kind::number, .number = value};
+    LocatedJson json = json_of_kind(LocatedJson::Kind::number);
+    json.number = value;
     json.line = lines_.line_at(last);
     return place(std::move(json)) != nullptr;
   }
@@ -144,7 +153,7 @@ class Builder {
 
   bool open(LocatedJson::Kind kind) {
     if (open_.size() == kDeepest) return refuse({.line = line(), .column = 0, .reason = "lists and objects are nested more than 64 deep"});
-    LocatedJson json{.kind = kind};
+    LocatedJson json = json_of_kind(kind);
     json.line = line();
     open_.push_back(place(std::move(json)));
     return true;
@@ -169,6 +178,12 @@ class Builder {
 const LocatedJson* LocatedJson::find(std::string_view key) const noexcept {
   const auto found = std::find_if(members.begin(), members.end(), [&](const LocatedMember& member) { return member.key == key; });
   return found == members.end() ? nullptr : &found->value;
+}
+
+LocatedJson json_of_kind(LocatedJson::Kind kind) {
+  LocatedJson json;
+  json.kind = kind;
+  return json;
 }
 
 std::string_view name_of(LocatedJson::Kind kind) noexcept {

@@ -19,7 +19,7 @@ struct LocatedJson {
   double number = 0;                   // finite
   std::string text{};                  // UTF-8
   std::vector<LocatedJson> items{};    // of a list
-  std::vector<LocatedMember> members{};  // of an object, in the order of the text; no two of one key
+  std::vector<LocatedMember> members;  // of an object, in the order of the text; no two of one key
 
   /// The value of a key; null if there is none.
   const LocatedJson* find(std::string_view key) const noexcept;
@@ -30,6 +30,9 @@ struct LocatedMember {
   int line = 1;  // of the key
   LocatedJson value;
 };
+
+/// A value of a kind, with nothing in it yet.
+LocatedJson json_of_kind(LocatedJson::Kind kind);
 
 /// "a list", "a number", ...
 std::string_view name_of(LocatedJson::Kind kind) noexcept;

@@ -49,11 +49,12 @@ TEST_CASE("relief: the analytic derivatives are those of the heights", "[math][b
   const std::pair<const char*, Relief> reliefs[] = {
       {"waves", [](const glm::dvec2& uv) { return waves(uv, 5); }}, {"orange", [](const glm::dvec2& uv) { return orange(uv, 6, 11); }},
       {"rough", [](const glm::dvec2& uv) { return rough(uv, 7, 12); }}, {"rough, no whole number", [](const glm::dvec2& uv) { return rough(uv, 3.5, 13); }}};
-  for (const auto& [name, relief] : reliefs)
+  for (const auto& named : reliefs)
     for (int i = 0; i < 2000; ++i) {
+      const Relief relief = named.second;
       const glm::dvec3 p = somewhere(random, 2);
       const glm::dvec2 uv(p.x, p.y), step(1e-5);
-      INFO(name << " at " << uv.x << ", " << uv.y << ", seed 402");
+      INFO(named.first << " at " << uv.x << ", " << uv.y << ", seed 402");
       const glm::dvec2 differences = central_differences([&](double u, double v) { return relief({u, v}).height; }, uv, step, 1);
       const glm::dvec2 slope = relief(uv).slope;
       // An orange's slope has corners (at the dimples' rims), which differences round off by step * curvature.
