@@ -6,6 +6,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "examples/tuberia/gallery/gallery.hpp"
+#include "examples/tuberia/gallery/gallery_spectra.hpp"
 #include "examples/tuberia/gallery/plot.hpp"
 #include "math/camera.hpp"
 #include "math/reflection.hpp"
@@ -122,7 +123,7 @@ struct Figure {
   Result<Image<Rgba8>> (*draw)(const std::filesystem::path& scenes, Pipeline& pipeline);
 };
 
-constexpr std::array<Figure, 5> kFigures{{
+constexpr std::array<Figure, 6> kFigures{{
     {"lobes", "Where the light goes", "B Figure 5",
      "Light arrives along the yellow line. Diffuse reflection (blue) is the same in every direction; specular reflection (orange, n = 20) "
      "gathers about the mirror direction; white is their sum. The length of a line from the middle to a curve is what leaves that way.", draw_lobes},
@@ -134,6 +135,9 @@ constexpr std::array<Figure, 5> kFigures{{
     {"mach_bands", "Mach bands", "B Figure 16",
      "Below each sphere the blue along a row of its pixels: steps (flat), a line with kinks (Gouraud, and cosines), a smooth curve (Phong). "
      "The eye exaggerates steps and kinks alike.", draw_mach_bands},
+    {"metamers", "Alike in one light only", "B 2.9",
+     "Left a grey surface, right one whose reflectance swings up and down with the wavelength. In light of equal energy (above) no eye can "
+     "tell them apart; in a warm light (below) any can. Drawn with 41 wavelengths, three at a time; three channels alone would show no difference.", draw_metamers},
 }};
 
 const Figure* find_figure(const std::string& name) {
@@ -149,7 +153,7 @@ Result<GalleryDrawing> figure_drawing(const std::string& name, const std::filesy
   const Figure& figure = *find_figure(name);
   auto image = figure.draw(scenes, pipeline);
   if (!image) return Error{name + ": " + image.error().message};
-  return GalleryDrawing{*std::move(image), figure.title, figure.source, figure.caption, "drawn as lines by the pipeline itself"};
+  return GalleryDrawing{*std::move(image), figure.title, figure.source, figure.caption, "drawn by the pipeline itself"};
 }
 
 }  // namespace tuberia::cli

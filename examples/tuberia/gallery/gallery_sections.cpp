@@ -7,7 +7,7 @@ std::vector<GallerySection> gallery_sections() {
       {.title = "Light and local reflection",
        .lede = "What a surface sends to the eye of the light that reaches it, each surface for itself: ambient, diffuse and specular reflection, "
                "lights near and far, and what to do where there is too much of it.",
-       .names = {"01_ambient_light", "02_diffuse_reflection", "03_ambient_and_diffuse", "lobes", "phong_curves", "04_phong", "05_coloured_lights",
+       .names = {"01_ambient_light", "02_diffuse_reflection", "03_ambient_and_diffuse", "lobes", "phong_curves", "04_phong", "05_coloured_lights", "metamers",
                  "06a_falloff_none", "06b_falloff_linear", "06c_falloff_inverse_square", "07_spot_light", "08a_overflow_clamp",
                  "08b_overflow_global_scale", "08c_overflow_hue_preserving", "fresnel_curves", "09_cook_torrance"}},
       {.title = "Shading polygons",
