@@ -27,7 +27,7 @@ struct Environment {
   Source source = Source::sky;
   Sky sky;
   std::string file;                   // panorama: .hdr, .pfm or a file of 8-bit sRGB codes, relative to the scene's folder
-  std::array<std::string, 6> faces;   // files of +x, -x, +y, -y, +z, -z, as seen from within, see raster/cube_map.hpp
+  std::array<std::string, 6> faces;   // files of +x, -x, +y, -y, +z, -z, as raster/cube_map.hpp arranges them: seen from outside
   glm::dvec3 from{0};                 // rendered: the point, world space
   int resolution = 256;               // texels along an edge of the cube that is made
   LookUp look_up = LookUp::cube;      // the kind of map that is looked up; others are converted to it

@@ -158,7 +158,7 @@ void environment_keys(Keys& keys, Environment& environment) {
   keys.where("source is panorama", environment.source == Source::panorama,
              [&] { keys.text({"file", ".hdr, .pfm, or 8-bit sRGB codes; beside the scene file", true}, environment.file); });
   keys.where("source is faces", environment.source == Source::faces, [&] {
-    keys.object({"faces", "files of the six sides as seen from within", true}, environment.faces, [](Keys& inner, std::array<std::string, 6>& faces) {
+    keys.object({"faces", "files of the six sides, as cube maps have them: as seen from outside the cube", true}, environment.faces, [](Keys& inner, std::array<std::string, 6>& faces) {
       for (std::size_t i = 0; i < faces.size(); ++i) inner.text({kFaces[i], "file, beside the scene file", true}, faces[i]);
     });
   });
