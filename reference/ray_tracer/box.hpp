@@ -1,0 +1,30 @@
+#pragma once
+// Boxes along the axes, in double.
+
+#include <algorithm>
+#include <glm/common.hpp>
+#include <glm/vec3.hpp>
+
+#include "reference/ray_tracer/ray.hpp"
+
+namespace tuberia::tracer {
+
+/// lower > upper is the empty box; infinite sides are allowed.
+struct Box {
+  glm::dvec3 lower{kInfinity}, upper{-kInfinity};
+
+  bool empty() const noexcept { return !(lower.x <= upper.x && lower.y <= upper.y && lower.z <= upper.z); }
+  glm::dvec3 size() const noexcept { return upper - lower; }
+  glm::dvec3 centre() const noexcept { return 0.5 * lower + 0.5 * upper; }
+  void add(const glm::dvec3& point) noexcept {
+    lower = glm::min(lower, point);
+    upper = glm::max(upper, point);
+  }
+  void add(const Box& other) noexcept {
+    lower = glm::min(lower, other.lower);
+    upper = glm::max(upper, other.upper);
+  }
+  bool operator==(const Box&) const = default;
+};
+
+}  // namespace tuberia::tracer
