@@ -58,6 +58,11 @@ struct SurfacePoint {
   glm::dvec3 tangent{1, 0, 0}, bitangent{0, -1, 0};     // dP/du, dP/dv, not unit; v runs down, as in images
   glm::dvec2 texcoord{0, 0};                            // (0, 0) is the upper left corner of the image
   glm::dvec3 colour{1, 1, 1};                           // of a mesh with colours at its vertices: times kd
+  double magnitude = 0;                                 // the largest of the numbers that made the position, world units
 };
+
+/// How far to move a point along its geometric normal, world units, before rays start from it: far beyond the rounding of the
+/// point and of the next intersection, both a few 2^-53 of the magnitude, and far below what a picture shows.
+inline double safe_offset(const SurfacePoint& point) noexcept { return 1e-10 * point.magnitude; }
 
 }  // namespace tuberia::tracer
