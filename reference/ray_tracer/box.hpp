@@ -24,6 +24,11 @@ struct Box {
     lower = glm::min(lower, other.lower);
     upper = glm::max(upper, other.upper);
   }
+  /// Half of its surface, to which the chance that a ray meets it is proportional.
+  double half_area() const noexcept {
+    const glm::dvec3 s = size();
+    return s.x * s.y + s.y * s.z + s.z * s.x;
+  }
   bool operator==(const Box&) const = default;
 };
 

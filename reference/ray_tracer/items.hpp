@@ -19,13 +19,24 @@ struct PreparedRay {
   glm::dvec3 shear;
 };
 
+/// Contains a thing; enough to say that a ray passes it by.                              [B 5.7.1]
+struct BoundingSphere {
+  glm::dvec3 centre{0};
+  double radius = 0;
+};
+
 class Items {
  public:
   virtual ~Items() = default;
   virtual std::int64_t count() const noexcept = 0;
 
-  /// World space, contains the whole item; sides may be infinite.
+  /// World space, contains the whole item; sides may be infinite. Nothing meets an item whose box is empty. The
+  /// points that `intersect` finds are in the box, or outside by no more than 2^-42 of the largest coordinate around.
   virtual Box bounds(std::int64_t item) const noexcept = 0;
+
+  /// Contains the whole item; a box's own unless an item knows a tighter one: its centroid and the farthest of its
+  /// points [B 5.7.1]. Asked only of items whose box is finite.
+  virtual BoundingSphere bounding_sphere(std::int64_t item) const noexcept;
 
   /// Replaces `nearest` if the item is met nearer, see Hit::is_beaten_by. Returns whether it did.
   virtual bool intersect(std::int64_t item, const PreparedRay& ray, Hit& nearest) const noexcept = 0;
