@@ -11,7 +11,7 @@
 #include "image/file.hpp"
 #include "image/write_image.hpp"
 #include "scene/description/read_scene.hpp"
-#include "scene/frame/develop.hpp"
+#include "scene/content/develop.hpp"
 
 namespace tuberia::cli {
 namespace {

@@ -86,7 +86,7 @@ struct Material {
   glm::vec3 specular{0};              // ks; cook_torrance: what its D G F is multiplied with
   double exponent = 32;               // n of phong, blinn_phong and weighted_phong, >= 0
   double roughness = 0.3;             // m of cook_torrance, 1e-3..1e3
-  glm::vec3 refractive_index{1.5f};   // of weighted_phong and cook_torrance, 1e-3..1e3
+  glm::vec3 refractive_index{1.5f};   // of weighted_phong and cook_torrance, 1e-3..1e3; its mean bends rays that go through
   Facets facets = Facets::beckmann;   // of cook_torrance
   bool divided_by_pi = true;          // cook_torrance as the notes print it; false: the later 4 [FIX 12]
   std::string texture;                // of kd; "": none
@@ -94,6 +94,8 @@ struct Material {
   Mapping mapping;
   std::optional<Bump> bump;
   glm::vec3 mirror{0};                // kps: times the environment in the mirror direction
+  glm::vec3 transmission{0};          // kt: times the light from the refracted direction           [B 5-2]
+  double shadow_density = 0;          // where kt > 0: light that goes straight through is multiplied by exp(-density * world units inside)
   double alpha = 1;                   // opacity
   bool two_sided = false;             // the side that faces the eye is lit
   bool operator==(const Material&) const = default;

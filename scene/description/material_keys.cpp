@@ -109,8 +109,12 @@ void material_keys(Keys& keys, Material& material) {
     keys.choice({"facets", "how many are tilted by an angle"}, material.facets, kFacets);
     keys.flag({"divided_by_pi", "as the notes print it; false: by 4, as later derived"}, material.divided_by_pi);
   });
-  keys.where("model is weighted-phong or cook-torrance", is_cook_torrance || material.model == Model::weighted_phong,
-             [&] { keys.colour({"refractive_index", "of Fresnel's formula, each channel"}, material.refractive_index, within(1e-3, 1e3)); });
+  keys.colour({"transmission", "kt, times the light from behind, refracted where rays are traced"}, material.transmission);
+  const bool lets_through = material.transmission != glm::vec3(0);
+  keys.where("model is weighted-phong or cook-torrance, or transmission is not 0", is_cook_torrance || material.model == Model::weighted_phong || lets_through,
+             [&] { keys.colour({"refractive_index", "of Fresnel's formula, each channel; the mean of them bends traced rays"}, material.refractive_index, within(1e-3, 1e3)); });
+  keys.where("transmission is not 0", lets_through,
+             [&] { keys.number({"shadow_density", "light that goes straight through is multiplied by exp(-shadow_density times the world units inside)"}, material.shadow_density, at_least(0)); });
   keys.name({"texture", "of kd; one of `textures`"}, material.texture, NameOf::texture);
   keys.object({"pattern", "of kd, where there is no texture"}, material.pattern, pattern_keys);
   keys.require("pattern", !material.pattern || material.texture.empty(), "is there beside a texture");

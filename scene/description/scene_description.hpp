@@ -15,6 +15,7 @@
 #include "scene/description/light.hpp"
 #include "scene/description/material.hpp"
 #include "scene/description/shape.hpp"
+#include "scene/description/tracing.hpp"
 #include "scene/description/transform.hpp"
 
 namespace tuberia {
@@ -46,6 +47,7 @@ struct Object {
 struct SceneDescription {
   std::string title, caption, source;   // what it is, what to see in it, which figure it is
   description::Picture picture;
+  description::Tracing tracing;
   description::Camera camera;
   glm::vec3 ambient{0.2f};              // Ia, linear RGB
   std::vector<description::Light> lights;

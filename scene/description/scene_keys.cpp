@@ -1,5 +1,6 @@
 #include "scene/description/scene_keys.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -13,6 +14,7 @@ constexpr Names kTypeOfLight = "what it is: parallel light from far away, a poin
 constexpr std::array<Names, 2> kProjections{"perspective", "orthographic"};
 constexpr std::array<Names, 5> kMotions{"pan", "dolly", "zoom", "orbit", "turn"};
 constexpr std::array<Names, 3> kOverflows{"clamp", "global-scale", "hue-preserving"};
+constexpr std::array<Names, 2> kSamplePatterns{"uniform", "jittered"}, kSampleFilters{"box", "gaussian"};
 constexpr std::array<Names, 4> kLights{"directional", "point", "spot", "area"};
 constexpr std::array<Names, 3> kFalloffs{"none", "linear", "inverse-square"};
 constexpr std::array<Names, 4> kSources{"sky", "panorama", "faces", "rendered"};
@@ -99,6 +101,25 @@ void picture_keys(Keys& keys, Picture& picture) {
   keys.number({"exposure_stops", "all intensities times 2 to this power"}, picture.exposure_stops, within(-30, 30));
   keys.choice({"overflow", "what becomes of intensities above 1: cut off, the picture divided by its largest, or each pixel by its largest channel"},
               picture.overflow, kOverflows);
+}
+
+void tracing_keys(Keys& keys, Tracing& tracing) {
+  Sampling& sampling = tracing.sampling;
+  keys.whole({"depth", "level of the last rays that are followed; those from the eye are 0"}, tracing.depth, 0, 1000);
+  keys.number({"least_weight", "branches whose coefficients multiply to less are not followed"}, tracing.least_weight, within(0, 1));
+  keys.whole({"samples", "rays for a pixel, a square number"}, sampling.per_pixel, 1, 1024);
+  const int root = static_cast<int>(std::lround(std::sqrt(static_cast<double>(std::max(sampling.per_pixel, 0)))));
+  keys.require("samples", root * root == sampling.per_pixel, "is no square number");
+  keys.choice({"pattern", "the centres of equal parts of the pixel, or a random point of each"}, sampling.pattern, kSamplePatterns);
+  keys.where("pattern is jittered", sampling.pattern == Sampling::Pattern::jittered, [&] { keys.seed({"seed", "of the random points"}, sampling.seed); });
+  keys.flag({"adaptive", "so many samples only where the corners of a pixel, or of a part of it, differ"}, sampling.adaptive);
+  keys.where("adaptive is true", sampling.adaptive, [&] {
+    keys.numbers({"contrast", "(max - min) / (max + min) of red, green and blue above which a part is split"}, {&sampling.contrast.x, 3}, within(0, 1), true);
+  });
+  keys.choice({"filter", "how samples become a colour: their mean, or weighted by the distance to the pixel's centre"}, sampling.filter, kSampleFilters);
+  keys.where("filter is gaussian", sampling.filter == Sampling::Filter::gaussian, [&] {
+    keys.number({"filter_radius", "pixels from the centre"}, sampling.filter_radius, {.least = 0, .most = 8, .least_excluded = true});
+  });
 }
 
 void camera_keys(Keys& keys, Camera& camera) {
@@ -198,6 +219,7 @@ void scene_keys(Keys& keys, SceneDescription& scene) {
   keys.text({"caption", "what to see in its picture"}, scene.caption);
   keys.text({"source", "the figure that it shows"}, scene.source);
   keys.object({"image", "the picture"}, scene.picture, picture_keys);
+  keys.object({"trace", "how rays make the picture, where they do"}, scene.tracing, tracing_keys);
   keys.object({"camera", "the observer"}, scene.camera, camera_keys);
   keys.colour({"ambient", "Ia, the light from everywhere"}, scene.ambient);
   keys.list({"lights", "what it is lit by"}, scene.lights, light_keys);

@@ -11,6 +11,7 @@ void scene_keys(Keys&, SceneDescription&);
 // Its parts.
 void camera_keys(Keys&, Camera&);
 void picture_keys(Keys&, Picture&);
+void tracing_keys(Keys&, Tracing&);
 void light_keys(Keys&, Light&);
 void texture_keys(Keys&, Texture&);
 void material_keys(Keys&, Material&);

@@ -3,8 +3,10 @@
 
 #include <array>
 #include <cstdint>
+#include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 #include <string>
 #include <variant>
 #include <vector>
@@ -96,6 +98,29 @@ struct ModelFile {
   bool operator==(const ModelFile&) const = default;
 };
 
-using Shape = std::variant<Plane, Cube, Sphere, Cylinder, Cone, Torus, Disc, Teapot, BezierPatches, HeightField, TriangleMesh, ModelFile>;
+/// All of the plane y = 0, facing +y. Texture coordinates are x and z.
+struct InfinitePlane {
+  bool operator==(const InfinitePlane&) const = default;
+};
+/// Flat, counter-clockwise seen from its front; its holes are as flat, in its plane, either way round.
+struct Polygon {
+  std::vector<glm::dvec3> outline;                // at least 3 corners, in one plane
+  std::vector<std::vector<glm::dvec3>> holes;
+  bool operator==(const Polygon&) const = default;
+};
+/// What is inside of all planes (n, d): n.p + d <= 0. Normals of any length but 0.
+struct Polyhedron {
+  std::vector<glm::dvec4> planes;
+  bool operator==(const Polyhedron&) const = default;
+};
+/// The points with (p, 1).q (p, 1) = 0 within a box; it is negative inside.
+struct Quadric {
+  glm::dmat4 q{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1};  // symmetric; unless said, the unit sphere
+  glm::dvec3 lower{-1}, upper{1};
+  bool operator==(const Quadric&) const = default;
+};
+
+using Shape = std::variant<Plane, Cube, Sphere, Cylinder, Cone, Torus, Disc, Teapot, BezierPatches, HeightField, TriangleMesh, ModelFile,
+                           InfinitePlane, Polygon, Polyhedron, Quadric>;
 
 }  // namespace tuberia::description

@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <array>
+#include <glm/matrix.hpp>
+#include <glm/vector_relational.hpp>
 
 #include "scene/description/scene_keys.hpp"
 
@@ -9,7 +11,8 @@ namespace {
 using Rows = std::vector<std::vector<double>>;
 
 /// In the order of the variant.
-constexpr std::array<std::string_view, 12> kShapes{"plane", "cube", "sphere", "cylinder", "cone", "torus", "disc", "teapot", "bezier-patches", "height-field", "mesh", "model"};
+constexpr std::array<std::string_view, 16> kShapes{"plane", "cube", "sphere", "cylinder", "cone", "torus", "disc", "teapot", "bezier-patches", "height-field", "mesh", "model",
+                                                   "infinite-plane", "polygon", "polyhedron", "quadric"};
 
 void segments_key(Keys& keys, Segments& segments, Segments least) {
   std::array<double, 2> both{static_cast<double>(segments.u), static_cast<double>(segments.v)};
@@ -146,6 +149,36 @@ void model_keys(Keys& keys, ModelFile& model) {
   keys.flag({"unit_size", "moved and scaled into the unit sphere around the origin"}, model.unit_size);
 }
 
+void hole_keys(Keys& keys, std::vector<glm::dvec3>& corners) {
+  vectors_key(keys, {"points", "its corners, in the polygon's plane", true}, corners);
+  keys.require("points", corners.size() >= 3, "is of fewer than 3 corners");
+}
+
+void polygon_keys(Keys& keys, Polygon& polygon) {
+  vectors_key(keys, {"outline", "its corners, in one plane, counter-clockwise from its front", true}, polygon.outline);
+  keys.require("outline", polygon.outline.size() >= 3, "is of fewer than 3 corners");
+  keys.list({"holes", "what is cut out of it"}, polygon.holes, hole_keys);
+}
+
+void polyhedron_keys(Keys& keys, Polyhedron& polyhedron) {
+  vectors_key(keys, {"planes", "[nx, ny, nz, d] each: inside of all of them, n.p + d is 0 or less", true}, polyhedron.planes);
+  const auto has_normal = [](const glm::dvec4& plane) { return glm::dvec3(plane) != glm::dvec3(0); };
+  keys.require("planes", !polyhedron.planes.empty(), "is empty");
+  keys.require("planes", std::all_of(polyhedron.planes.begin(), polyhedron.planes.end(), has_normal), "has a normal that is no direction");
+}
+
+void quadric_keys(Keys& keys, Quadric& quadric) {
+  std::vector<glm::dvec4> rows;
+  for (int i = 0; i < 4; ++i) rows.push_back(quadric.q[i]);
+  vectors_key(keys, {"q", "4 rows, symmetric: the surface has (p, 1).q (p, 1) = 0, its inside less", true}, rows);
+  keys.require("q", rows.size() == 4, "is not of 4 rows");
+  for (int i = 0; i < 4 && static_cast<std::size_t>(i) < rows.size(); ++i) quadric.q[i] = rows[static_cast<std::size_t>(i)];
+  keys.require("q", glm::transpose(quadric.q) == quadric.q, "is not symmetric");
+  keys.vector({"lower", "corner of the box that the surface is cut to"}, quadric.lower);
+  keys.vector({"upper", "the other corner"}, quadric.upper);
+  keys.require("upper", glm::all(glm::lessThan(quadric.lower, quadric.upper)), "is not above lower");
+}
+
 template <class T>
 void keys_where(Keys& keys, Shape& shape, std::size_t wanted, std::size_t index, void (*visit)(Keys&, T&)) {
   keys.where("type is " + std::string(kShapes[index]), wanted == index, [&] {
@@ -171,6 +204,11 @@ void shape_keys(Keys& keys, Shape& shape) {
   keys_where(keys, shape, index, 9, height_field_keys);
   keys_where(keys, shape, index, 10, mesh_keys);
   keys_where(keys, shape, index, 11, model_keys);
+  // All of an infinite plane is said by its type, number 12.
+  if (index == 12 && !std::holds_alternative<InfinitePlane>(shape)) shape = InfinitePlane{};
+  keys_where(keys, shape, index, 13, polygon_keys);
+  keys_where(keys, shape, index, 14, polyhedron_keys);
+  keys_where(keys, shape, index, 15, quadric_keys);
 }
 
 }  // namespace tuberia::description

@@ -5,6 +5,7 @@
 #include <glm/matrix.hpp>
 
 #include "pipeline/programs/programs.hpp"
+#include "scene/content/placement.hpp"
 
 namespace tuberia {
 namespace {
@@ -27,7 +28,7 @@ Pattern pattern_of(const description::Pattern& from) {
   constexpr std::array kKinds{Pattern::Kind::checker, Pattern::Kind::random_squares, Pattern::Kind::wood, Pattern::Kind::marble};
   return {.kind = kKinds[static_cast<std::size_t>(from.kind)], .first = from.first, .second = from.second,
           .scale = static_cast<float>(from.scale), .turbulence = static_cast<float>(from.turbulence), .seed = from.seed,
-          .pattern_from_world = glm::inverse(matrix_of(from.placement))};
+          .pattern_from_world = glm::inverse(float_matrix_of(from.placement))};
 }
 
 BumpMap bump_of(const description::Bump& from, const FrameTextures& textures) {
@@ -69,7 +70,7 @@ SurfaceUniforms uniforms_of(const FramePart& part, const FrameTextures& textures
   uniforms.ambient_light = light.ambient;
   uniforms.lights = light.lights;
   uniforms.eye = light.eye;
-  uniforms.two_sided = material.two_sided;
+  uniforms.two_sided = material.two_sided || material.transmission != glm::vec3(0);
   uniforms.alpha = static_cast<float>(material.alpha);
   return uniforms;
 }
@@ -95,7 +96,7 @@ std::string what_needs_fragments(const FramePart& part, Shading shading, const F
 Lighting lighting_of(const description::Material& material, const FrameLight& light) {
   const ReflectionConstants constants = constants_of(material);
   Lighting lighting{.ambient = constants.ambient * light.ambient, .diffuse = constants.diffuse, .specular = constants.specular, .shininess = constants.exponent,
-                    .alpha = static_cast<float>(material.alpha), .halfway = material.model != description::Reflection::phong, .two_sided = material.two_sided,
+                    .alpha = static_cast<float>(material.alpha), .halfway = material.model != description::Reflection::phong, .two_sided = material.two_sided || material.transmission != glm::vec3(0),
                     .eye = light.eye};
   lighting.light_count = static_cast<int>(light.lights.size());
   for (std::size_t i = 0; i < light.lights.size(); ++i) lighting.lights[i] = light.lights[i].light;

@@ -1,10 +1,9 @@
 #pragma once
-// The pictures that a scene names, read or made.
+// The pictures that a scene names, as textures.
 
 #include <memory>
 
 #include "base/result.hpp"
-#include "image/image.hpp"
 #include "pipeline/programs/texture_access.hpp"
 #include "raster/sampler.hpp"
 #include "raster/texture.hpp"
@@ -20,9 +19,6 @@ struct FrameTexture {
 
 /// With its mipmaps. Errors: of the file's reader, and a size that textures cannot have; they name the texture.
 Result<FrameTexture> frame_texture(const SceneDescription& scene, const description::Texture& texture);
-
-/// Its linear intensities, as a picture. Errors as above.
-Result<Image<Rgba32F>> picture_of(const SceneDescription& scene, const description::Texture& texture);
 
 Sampler sampler_of(const description::Texture& texture) noexcept;
 

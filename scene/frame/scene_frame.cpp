@@ -4,12 +4,38 @@
 
 #include "image/box_filter.hpp"
 #include "pipeline/programs/programs.hpp"
+#include "scene/content/placement.hpp"
 #include "scene/environment/background.hpp"
 #include "scene/frame/frame_environment.hpp"
 #include "scene/frame/frame_shadows.hpp"
 #include "scene/mesh_view.hpp"
 
 namespace tuberia {
+
+namespace {
+
+bool is_opaque(const description::Material& material) { return material.alpha >= 1 && material.transmission == glm::vec3(0); }
+
+/// What is clear lets through its share of what lies behind, each side of it once more: the far sides are drawn first.
+void add_translucent(DrawCall draw, const description::Material& material, std::vector<DrawCall>& draws) {
+  draw.state.depth.write = false;
+  BlendState& blend = draw.state.blend;
+  blend.mode = BlendMode::source_over;
+  if (material.transmission == glm::vec3(0)) {
+    draws.push_back(std::move(draw));
+    return;
+  }
+  blend.mode = BlendMode::function;
+  blend.colour = {.source = BlendFactor::source_alpha, .destination = BlendFactor::constant_colour};
+  blend.alpha = {.source = BlendFactor::one_minus_destination_alpha, .destination = BlendFactor::one};
+  blend.constant = {material.transmission.r, material.transmission.g, material.transmission.b, 1};
+  for (const CullFace hidden : {CullFace::front, CullFace::back}) {
+    draw.state.culling.cull = hidden;
+    draws.push_back(draw);
+  }
+}
+
+}  // namespace
 
 /// The order of a frame. What a scene does not have costs it nothing.
 Result<Image<Rgba32F>> SceneFrame::draw(Pipeline& pipeline) {
@@ -64,7 +90,7 @@ Result<Nothing> SceneFrame::prepare_parts() {
   for (std::size_t i = 0; i < scene_.objects.size(); ++i) {
     auto parts = parts_of(scene_, scene_.objects[i], warnings_);
     if (!parts) return parts.error();
-    const glm::mat4 world_from_object = matrix_of(scene_.objects[i].transforms);
+    const glm::mat4 world_from_object = float_matrix_of(scene_.objects[i].transforms);
     for (FramePart& part : *parts) parts_.push_back({std::move(part), i, world_from_object});
   }
   return Nothing{};
@@ -117,7 +143,7 @@ DrawCall SceneFrame::draw_of(const Part& part, const Camera& camera) const {
 std::vector<DrawCall> SceneFrame::casters() const {
   std::vector<DrawCall> draws;
   for (const Part& part : parts_) {
-    if (!scene_.objects[part.object].casts_shadow || part.part.material.alpha < 1) continue;
+    if (!scene_.objects[part.object].casts_shadow || !is_opaque(part.part.material)) continue;
     DrawCall& draw = draws.emplace_back(draw_of(part, camera_));
     const bool is_cut_out = part.part.alpha_cutoff > 0 && part.part.own_texture != nullptr;
     draw.program = is_cut_out ? textured({.texture = part.part.own_texture, .sampler = {}, .tint = glm::vec4(1), .alpha_cutoff = part.part.alpha_cutoff}, true) : gouraud();
@@ -134,11 +160,9 @@ Result<SceneFrame::Draws> SceneFrame::draws_for(const Camera& camera, const Fram
     DrawCall draw = draw_of(part, camera);
     if (const auto set = set_material(draw, part.part, object.shading, textures_, light); !set)
       return Error{name_of_object(scene_, object) + ": " + set.error().message};
-    const bool is_opaque = part.part.material.alpha >= 1;
-    draw.state.depth.write = is_opaque;
     if (part.part.alpha_cutoff > 0) draw.state.alpha_test = {.test = Compare::greater_equal, .reference = part.part.alpha_cutoff};
-    if (!is_opaque) draw.state.blend.mode = BlendMode::source_over;
-    (is_opaque ? draws.opaque : draws.translucent).push_back(std::move(draw));
+    if (is_opaque(part.part.material)) draws.opaque.push_back(std::move(draw));
+    else add_translucent(std::move(draw), part.part.material, draws.translucent);
   }
   return draws;
 }

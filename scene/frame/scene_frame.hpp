@@ -10,7 +10,7 @@
 
 #include "base/result.hpp"
 #include "pipeline/pipeline.hpp"
-#include "scene/frame/frame_camera.hpp"
+#include "scene/content/scene_camera.hpp"
 #include "scene/frame/frame_materials.hpp"
 #include "scene/frame/frame_meshes.hpp"
 

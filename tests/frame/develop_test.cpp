@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "math/colour.hpp"
-#include "scene/frame/develop.hpp"
+#include "scene/content/develop.hpp"
 
 namespace tuberia {
 namespace {

@@ -67,6 +67,41 @@ TEST_CASE("frame: relief needs texture coordinates", "[frame][refused]") {
     "shape": {"type": "mesh", "positions": [[0,0,0],[1,0,0],[0,1,0]], "triangles": [[0,1,2]]}}]})", "object 0: ");
 }
 
+TEST_CASE("frame: what only rays can meet is refused with its name", "[frame][refused]") {
+  const auto check = [](const std::string& shape, const std::string& what) {
+    check_undrawable(R"({"objects": [{"name": "it", "shape": {"type": )" + shape + "}}]}", "object 0 'it': " + what + " can only be traced (tuberia trace)");
+  };
+  check(R"("infinite-plane")", "an infinite plane");
+  check(R"("polygon", "outline": [[0,0,0],[3,0,0],[0,3,0]], "holes": [{"points": [[0.5,0.5,0],[1,0.5,0],[0.5,1,0]]}])", "a polygon with holes");
+  check(R"("polygon", "outline": [[0,0,0],[3,0,0],[0.5,0.5,0],[0,3,0]])", "a polygon that is not convex");
+  check(R"("polygon", "outline": [[0,1,0],[-0.6,-0.8,0],[0.95,0.3,0],[-0.95,0.3,0],[0.6,-0.8,0]])", "a polygon that is not convex");  // a pentagram: turns twice round
+  check(R"("polyhedron", "planes": [[0,1,0,0]])", "a polyhedron of planes");
+  check(R"("quadric", "q": [[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,-1]])", "a quadric");
+}
+
+TEST_CASE("frame: a convex polygon is drawn", "[frame]") {
+  const test::DrawnScene drawn = test::drawn(R"({"image": {"width": 32, "height": 32}, "ambient": 1, "materials": {"m": {"diffuse": 0.25}},
+    "objects": [{"material": "m", "shape": {"type": "polygon", "outline": [[-1,-1,0],[1,-1,0],[1,1,0],[0,1.5,0],[-1,1,0]]}}]})");
+  CHECK(drawn.at({0.9, 0.9, 0}).r == 0.25f);
+  CHECK(drawn.at({0, 1.4, 0}).r == 0.25f);
+  CHECK(drawn.at({0.9, 1.4, 0}).r == 0);
+}
+
+TEST_CASE("frame: what is clear lets through its share of what lies behind, and warns", "[frame]") {
+  // A pane of one side, and a slab of two, in front of a wall; ambient light alone: I = ka + kt behind at each side.
+  const auto scene_with = [](const std::string& shape) {
+    return test::drawn(R"({"image": {"width": 32, "height": 32}, "ambient": 1, "materials": {"wall": {"diffuse": 0.5}, "glass": {"diffuse": 0.125, "transmission": [0.5, 0.25, 1]}},
+      "objects": [{"shape": {"type": "cube", "size": [9, 9, 1]}, "material": "wall", "transforms": [{"translate": [0, 0, -3]}]},
+                  {"name": "pane", "shape": )" + shape + R"(, "material": "glass"}]})");
+  };
+  const test::DrawnScene pane = scene_with(R"({"type": "polygon", "outline": [[-1,-1,0],[1,-1,0],[1,1,0],[-1,1,0]]})");
+  CHECK(pane.at({0, 0, 0}) == Rgba32F{0.375f, 0.25f, 0.625f, 1});
+  REQUIRE(pane.warnings.size() == 1);
+  CHECK(one_line_naming(pane.warnings[0], "object 1 'pane'"));
+  const test::DrawnScene slab = scene_with(R"({"type": "cube", "size": [1, 1, 0.1]})");
+  CHECK(slab.at({0, 0, 0}) == Rgba32F{0.3125f, 0.1875f, 0.75f, 1});
+}
+
 TEST_CASE("frame: colours at vertices that no program reads are warned of", "[frame]") {
   const auto scene_with = [](const std::string& shading) {
     return test::drawn(R"({"image": {"width": 8, "height": 8}, "objects": [{"name": "leaf", "shading": ")" + shading + R"(",

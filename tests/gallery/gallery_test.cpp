@@ -7,7 +7,7 @@
 
 #include "examples/tuberia/gallery/gallery.hpp"
 #include "scene/description/read_scene.hpp"
-#include "scene/frame/develop.hpp"
+#include "scene/content/develop.hpp"
 #include "scene/frame/scene_frame.hpp"
 #include "tests/golden/golden.hpp"
 #include "tests/support/every_instruction_set.hpp"

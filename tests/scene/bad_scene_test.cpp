@@ -58,7 +58,7 @@ TEST_CASE("scene file: keys that are unknown or there twice are refused", "[scen
       {"{\"materials\": {\n\"red\": {\n\"exponnet\": 3}}}", "3: materials.red.exponnet is no key that belongs here; did you mean 'exponent'?"},
       {"{\"image\": {\"size\": 3}}", "1: image.size is no key that belongs here; there could be width, height, supersampling, background, exposure_stops or overflow"},
       {"{\"materials\": {\"red\": {\"model\": \"lambert\",\n \"exponent\": 3}}}",
-       "2: materials.red.exponent is no key that belongs here; there could be model, diffuse, ambient, texture, pattern, mapping, bump, mirror, alpha or two_sided"},
+       "2: materials.red.exponent is no key that belongs here; there could be model, diffuse, ambient, transmission, texture, pattern, mapping, bump, mirror, alpha or two_sided"},
       {"{\"materials\": {\"\": {}}}", "1: materials has an empty name"},
   });
 }
@@ -140,7 +140,7 @@ TEST_CASE("scene file: values that do not go together are refused", "[scene][sce
 
 TEST_CASE("scene file: of several mistakes the first in the text is told", "[scene][scene_file][refused]") {
   check_refused_scenes({{"{\"objects\": [{}],\n\"lights\": [{}],\n\"title\": 3}", "1: objects[0].shape is missing"},
-                        {"{\"unknown\": 1,\n\"title\": 3}", "1: unknown is no key that belongs here; there could be title, caption, source, image, camera, ambient, lights, "
+                        {"{\"unknown\": 1,\n\"title\": 3}", "1: unknown is no key that belongs here; there could be title, caption, source, image, trace, camera, ambient, lights, "
                                                             "textures, materials, environment or objects"}});
 }
 
@@ -155,6 +155,36 @@ TEST_CASE("scene file: a file that cannot be read is refused", "[scene][scene_fi
   refused(folder / "missing.json", "no such file");
   refused(folder.write("empty.json", ""), "the file is empty");
   refused(folder.write("b\nad.json", "{\"a\": 1}"), "b?ad.json:1: a is no key");
+}
+
+TEST_CASE("scene file: what only rays can meet is refused where it is none", "[scene][scene_file][refused]") {
+  const auto shape = [](const std::string& words) { return "{\"objects\": [{\"shape\": {\"type\": " + words + "}}]}"; };
+  check_refused_scenes({
+      {shape(R"("polygon", "outline": [[0,0,0],[1,0,0]])"), "1: objects[0].shape.outline is of fewer than 3 corners"},
+      {shape(R"("polygon", "outline": [[0,0,0],[1,0,0],[0,1,0]], "holes": [{"points": [[0,0,0]]}])"), "1: objects[0].shape.holes[0].points is of fewer than 3 corners"},
+      {shape(R"("polyhedron", "planes": [])"), "1: objects[0].shape.planes is empty"},
+      {shape(R"("polyhedron", "planes": [[0,0,0,1]])"), "1: objects[0].shape.planes has a normal that is no direction"},
+      {shape(R"("quadric", "q": [[1,0,0,0],[0,1,0,0],[0,0,1,0]])"), "1: objects[0].shape.q is not of 4 rows"},
+      {shape(R"("quadric", "q": [[1,2,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,-1]])"), "1: objects[0].shape.q is not symmetric"},
+      {shape(R"("quadric", "q": [[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,-1]], "lower": [0,0,0], "upper": [1,0,1])"), "1: objects[0].shape.upper is not above lower"},
+      {R"({"trace": {"samples": 5}})", "1: trace.samples is no square number"},
+      {R"({"materials": {"glass": {"shadow_density": 1}}})",
+       "1: materials.glass.shadow_density is no key that belongs here; there could be model, diffuse, ambient, specular, exponent, transmission, texture, pattern, mapping, bump, "
+       "mirror, alpha or two_sided"},
+  });
+}
+
+TEST_CASE("scene file: how rays make the picture", "[scene][scene_file]") {
+  const auto scene = scene_from_json(R"({"trace": {"depth": 12, "samples": 16, "pattern": "jittered", "seed": 9, "adaptive": true, "filter": "gaussian"},
+    "materials": {"glass": {"model": "lambert", "transmission": 0.99, "refractive_index": 1.3, "shadow_density": 0.5}}})", "scene.json");
+  REQUIRE(scene.ok());
+  using description::Sampling;
+  CHECK(scene->tracing == description::Tracing{.depth = 12, .sampling = {.pattern = Sampling::Pattern::jittered, .per_pixel = 16, .adaptive = true,
+                                                                         .filter = Sampling::Filter::gaussian, .seed = 9}});
+  const description::Material& glass = scene->materials.at(0);
+  CHECK(glass.transmission == glm::vec3(0.99f));
+  CHECK(glass.refractive_index == glm::vec3(1.3f));
+  CHECK(glass.shadow_density == 0.5);
 }
 
 }  // namespace tuberia

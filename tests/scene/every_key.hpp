@@ -6,6 +6,7 @@ namespace tuberia {
 inline constexpr const char* kEveryKey = R"({
   "title": "All keys", "caption": "Nothing to see", "source": "none",
   "image": {"width": 64, "height": 48, "supersampling": 2, "background": [0.1, 0.2, 0.3], "exposure_stops": 0.5, "overflow": "global-scale"},
+  "trace": {"depth": 7, "least_weight": 0.01, "samples": 16, "pattern": "jittered", "seed": 4, "adaptive": true, "contrast": [0.3, 0.2, 0.5], "filter": "gaussian", "filter_radius": 1.5},
   "camera": {"type": "perspective", "eye": [0, 1, 6], "look_at": [0, 0.5, 0], "up": [0, 1, 0.1], "fovy_degrees": 35, "near": 0.2, "far": 50,
     "motions": [{"type": "pan", "right": 1, "up": 0.5}, {"type": "dolly", "distance": 1}, {"type": "zoom", "factor": 1.5},
                 {"type": "orbit", "right_degrees": 90, "up_degrees": 10, "inspection": true},
@@ -32,6 +33,7 @@ inline constexpr const char* kEveryKey = R"({
     "glazed": {"model": "weighted-phong", "refractive_index": 1.3, "pattern": {"type": "marble"}, "bump": {"type": "normal-map", "texture": "squares"}},
     "gold": {"model": "cook-torrance", "specular": 1, "roughness": 0.2, "facets": "gaussian", "refractive_index": [0.5, 0.6, 1.2], "divided_by_pi": false,
              "texture": "squares", "mapping": {"type": "sphere", "pole": [0, 0, 1], "equator": [0, 1, 0], "of_positions": true}, "bump": {"type": "height-texture", "texture": "levels"}},
+    "glass": {"model": "phong", "transmission": [0.8, 0.9, 0.85], "refractive_index": 1.4, "shadow_density": 0.3},
     "rough": {"pattern": {"type": "random-squares"}, "bump": {"type": "rough"}}},
   "environment": {"source": "sky", "resolution": 64, "look_up": "panorama", "rotation_degrees": 30, "shown": false,
     "sky": {"zenith": [0, 0, 1], "horizon": 0.8, "ground": 0.1, "sun_towards": [0, 1, 1], "sun_degrees": 3, "sun": 10, "glow": 1, "cloudiness": 0, "seed": 2}},
@@ -51,7 +53,11 @@ inline constexpr const char* kEveryKey = R"({
     {"shape": {"type": "height-field", "texture": "levels"}},
     {"shape": {"type": "mesh", "positions": [[0,0,0],[1,0,0],[0,1,0]], "normals": [[0,0,1],[0,0,1],[0,0,1]], "texcoords": [[0,1],[1,1],[0,0]],
       "colours": [[1,0,0],[0,1,0],[0,0,1]], "triangles": [[0, 1, 2]]}},
-    {"shape": {"type": "model", "file": "duck.obj", "own_materials": false, "unit_size": true}}
+    {"shape": {"type": "model", "file": "duck.obj", "own_materials": false, "unit_size": true}},
+    {"shape": {"type": "infinite-plane"}},
+    {"shape": {"type": "polygon", "outline": [[0,0,0],[3,0,0],[3,3,0],[0,3,0]], "holes": [{"points": [[1,1,0],[2,1,0],[1,2,0]]}]}},
+    {"shape": {"type": "polyhedron", "planes": [[1,0,0,-1],[-1,0,0,-1],[0,1,0,-1],[0,-1,0,-1],[0,0,1,-1],[0,0,-1,-1]]}},
+    {"shape": {"type": "quadric", "q": [[1,0,0,0.5],[0,-1,0,0],[0,0,1,0],[0.5,0,0,-1]], "lower": [-2,-1,-2], "upper": [2,1,2]}}
   ]
 })";
 

@@ -4,7 +4,7 @@
 #include "examples/tuberia/gallery/gallery.hpp"
 #include "examples/tuberia/render_model.hpp"
 #include "scene/description/read_scene.hpp"
-#include "scene/frame/develop.hpp"
+#include "scene/content/develop.hpp"
 #include "scene/frame/scene_frame.hpp"
 
 namespace tuberia::cli {

@@ -5,7 +5,7 @@
 
 #include "math/spectrum.hpp"
 #include "math/transforms.hpp"
-#include "scene/frame/develop.hpp"
+#include "scene/content/develop.hpp"
 #include "scene/mesh_view.hpp"
 #include "scene/shapes/shapes.hpp"
 #include "scene/spectral_image.hpp"

@@ -1,4 +1,4 @@
-#include "scene/frame/frame_camera.hpp"
+#include "scene/content/scene_camera.hpp"
 
 #include <cmath>
 #include <glm/geometric.hpp>

@@ -1,4 +1,4 @@
-#include "scene/frame/develop.hpp"
+#include "scene/content/develop.hpp"
 
 #include <algorithm>
 #include <cmath>
