@@ -1,7 +1,5 @@
 // Where each frame's time goes, and how it would scale: script/bench account.
 
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <cstdio>
 #include <string>
@@ -26,21 +24,16 @@ int fail(const std::string& message) {
   return 1;
 }
 
-void add_options(CLI::App& app, Options& options) {
-  app.add_option("workload", options.prefixes, "Only workloads whose names begin with one of these");
-  app.add_option("--frames", options.frames, "Frames of each workload; of every piece the shortest time counts")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
-  app.add_option("--page", options.page_file, "The page to write")->capture_default_str();
-  app.add_option("--json", options.json_file, "Write the figures to this file, too");
-  app.add_option("--isa", options.instruction_set, "Instruction set: sse4, avx2 or avx3 (default: the widest)");
-  app.add_option("--precision", options.precision, "exact or fast")
-      ->check(CLI::IsMember({"exact", "fast"}))
-      ->capture_default_str();
-  app.add_flag("--instructions", options.instructions,
-               "Count instructions, too, with callgrind: minutes; only with --isa avx2");
-  app.add_option("--draw", options.drawn, "Only draw this workload: what runs under callgrind");
-  app.add_option("--commit", options.commit, "What the page calls the measured sources");
+void add_options(CommandLine& line, Options& options) {
+  line.words("workload", options.prefixes, "Only workloads whose names begin with one of these");
+  line.whole("--frames", options.frames, 1, 1000, "Frames of each workload; of every piece the shortest time counts");
+  line.page(options.page_file);
+  line.json(options.json_file);
+  line.instruction_set(options.instruction_set);
+  line.precision(options.precision);
+  line.flag("--instructions", options.instructions, "Count instructions, too, with callgrind: minutes; only with --isa avx2");
+  line.text("--draw", options.drawn, "Only draw this workload: what runs under callgrind");
+  line.commit(options.commit);
 }
 
 bool is_chosen(const std::string& name, const std::vector<std::string>& prefixes) {
@@ -110,10 +103,9 @@ int run(const Options& options) {
 }  // namespace tuberia::bench
 
 int main(int argc, char** argv) {
-  CLI::App app{"Says where each workload's frame spends its time, against what bounds, and how it would scale.",
-               "tuberia_account"};
+  tuberia::bench::CommandLine line("Says where each workload's frame spends its time, against what bounds, and how it would scale.", "tuberia_account");
   tuberia::bench::Options options;
-  tuberia::bench::add_options(app, options);
-  CLI11_PARSE(app, argc, argv);
+  tuberia::bench::add_options(line, options);
+  if (const auto status = line.parse(argc, argv)) return *status;
   return tuberia::bench::run(options);
 }

@@ -1,12 +1,10 @@
 // How the cost of a draw grows, as curves on a page: script/bench curves.
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <iterator>
 #include <map>
 #include <string>
@@ -16,6 +14,7 @@
 #include "bench/curves/curves.hpp"
 #include "bench/figures/command_line.hpp"
 #include "bench/figures/machine.hpp"
+#include "bench/figures/text_file.hpp"
 
 namespace tuberia::bench {
 namespace {
@@ -40,20 +39,18 @@ int fail(const std::string& message) {
   return 1;
 }
 
-void add_options(CLI::App& app, Options& options) {
+void add_options(CommandLine& line, Options& options) {
   std::vector<std::string> names;
   for (const NamedCurve& curve : kCurves) names.emplace_back(curve.name);
-  app.add_option("curve", options.prefixes, "Only these curves")->check(CLI::IsMember(names));
-  app.add_flag("--quick", options.quick, "Fewer points and repetitions: to try it out, not to quote");
-  app.add_option("--threads", options.threads, "The most threads")->check(CLI::Range(1, 64))->capture_default_str();
-  app.add_option("--page", options.page_file, "The page to write")->capture_default_str();
-  app.add_option("--json", options.json_file, "Write the figures to this file, too");
-  app.add_option("--csv", options.csv_file, "Write the points to this file, too");
-  app.add_option("--isa", options.instruction_set, "Instruction set: sse4, avx2 or avx3 (default: the widest)");
-  app.add_option("--precision", options.precision, "exact or fast")
-      ->check(CLI::IsMember({"exact", "fast"}))
-      ->capture_default_str();
-  app.add_option("--commit", options.commit, "What the page calls the measured sources");
+  line.words("curve", options.prefixes, "Only these curves", names);
+  line.flag("--quick", options.quick, "Fewer points and repetitions: to try it out, not to quote");
+  line.whole("--threads", options.threads, 1, 64, "The most threads");
+  line.page(options.page_file);
+  line.json(options.json_file);
+  line.text("--csv", options.csv_file, "Write the points to this file, too");
+  line.instruction_set(options.instruction_set);
+  line.precision(options.precision);
+  line.commit(options.commit);
 }
 
 /// Only points with a positive x have a logarithm.
@@ -76,14 +73,6 @@ std::string verdict_of(const std::vector<Curve>& curves) {
   std::snprintf(limit, sizeof limit, "%g", kSuperlinear);
   if (steep.empty()) return std::string("Nothing grows faster than in proportion: no exponent is above ") + limit + ".";
   return std::string("Exponents above ") + limit + ": " + steep + ".";
-}
-
-Result<Nothing> write_text(const std::string& path, const std::string& text) {
-  std::ofstream file(path);
-  file << text;
-  file.close();
-  if (!file) return Error{"cannot write " + path};
-  return Nothing{};
 }
 
 std::string csv_of(const std::vector<Curve>& curves) {
@@ -179,12 +168,10 @@ int run(const Options& options) {
   std::printf("\n%s\n", verdict_of(curves).c_str());
   if (const auto written = page_of(curves, machine, *how).write(options.page_file); !written)
     return fail(written.error().message);
-  if (!options.json_file.empty())
-    if (const auto written = write_text(options.json_file, json_of(curves, machine)); !written)
-      return fail(written.error().message);
-  if (!options.csv_file.empty())
-    if (const auto written = write_text(options.csv_file, csv_of(curves)); !written)
-      return fail(written.error().message);
+  if (const auto written = write_text(options.json_file, json_of(curves, machine)); !written)
+    return fail(written.error().message);
+  if (const auto written = write_text(options.csv_file, csv_of(curves)); !written)
+    return fail(written.error().message);
   std::printf("The page: %s\n", options.page_file.c_str());
   return 0;
 }
@@ -193,10 +180,9 @@ int run(const Options& options) {
 }  // namespace tuberia::bench
 
 int main(int argc, char** argv) {
-  CLI::App app{"Measures how the cost of a draw grows with what is drawn, and writes a page of curves.",
-               "tuberia_curves"};
+  tuberia::bench::CommandLine line("Measures how the cost of a draw grows with what is drawn, and writes a page of curves.", "tuberia_curves");
   tuberia::bench::Options options;
-  tuberia::bench::add_options(app, options);
-  CLI11_PARSE(app, argc, argv);
+  tuberia::bench::add_options(line, options);
+  if (const auto status = line.parse(argc, argv)) return *status;
   return tuberia::bench::run(options);
 }

@@ -1,7 +1,5 @@
 // Fails when a frame costs more instructions than it used to: script/bench check.
 
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
@@ -11,6 +9,7 @@
 #include <vector>
 
 #include "base/parallel_for.hpp"
+#include "bench/figures/command_line.hpp"
 #include "bench/guard/baseline.hpp"
 #include "bench/guard/counting.hpp"
 #include "bench/guard/small_workloads.hpp"
@@ -37,10 +36,11 @@ std::string this_compiler() {
 #endif
 }
 
-void add_options(CLI::App& app, Options& options) {
-  app.add_option("--baseline", options.baseline_file, "The recorded counts")->capture_default_str();
-  auto* record = app.add_flag("--record", options.record, "Write the counts to the baseline instead of comparing");
-  app.add_option("--draw", options.drawn, "Only draw this workload: what runs under valgrind")->excludes(record);
+void add_options(CommandLine& line, Options& options) {
+  line.text("--baseline", options.baseline_file, "The recorded counts");
+  line.flag("--record", options.record, "Write the counts to the baseline instead of comparing");
+  line.text("--draw", options.drawn, "Only draw this workload: what runs under valgrind");
+  line.exclude("--draw", "--record");
 }
 
 Result<std::vector<InstructionCount>> count_all() {
@@ -117,10 +117,9 @@ int check(const Options& options) {
 }  // namespace tuberia::bench
 
 int main(int argc, char** argv) {
-  CLI::App app{"Counts the instructions of eight small frames and compares them with recorded counts.",
-               "tuberia_check"};
+  tuberia::bench::CommandLine line("Counts the instructions of eight small frames and compares them with recorded counts.", "tuberia_check");
   tuberia::bench::Options options;
-  tuberia::bench::add_options(app, options);
-  CLI11_PARSE(app, argc, argv);
+  tuberia::bench::add_options(line, options);
+  if (const auto status = line.parse(argc, argv)) return *status;
   return tuberia::bench::check(options);
 }

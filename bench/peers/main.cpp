@@ -1,7 +1,5 @@
 // Compares Tuberia with llvmpipe on the same frames: script/bench peers.
 
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -33,22 +31,17 @@ int fail(const std::string& message) {
   return 1;
 }
 
-void add_options(CLI::App& app, Options& options) {
-  app.add_option("workload", options.prefixes, "Run only workloads whose names begin with one of these");
-  app.add_option("--threads", options.threads, "Threads of each peer, and cores that both are kept to")
-      ->check(CLI::Range(1, 16))->capture_default_str();
-  app.add_option("--rounds", options.rounds, "Rounds of each workload, one frame of each peer, at least")
-      ->check(CLI::Range(5, 10000))->capture_default_str();
-  app.add_option("--time", options.seconds, "Seconds the slower peer is timed on each workload, at least")
-      ->check(CLI::Range(0.0, 3600.0))->capture_default_str();
-  app.add_option("--json", options.json_file, "Write the figures to this file");
-  app.add_option("--dump", options.dump_folder, "Write both pictures and their difference to this folder");
-  app.add_option("--isa", options.instruction_set, "Tuberia's instruction set: sse4, avx2 or avx3 (default: the widest)");
-  app.add_option("--precision", options.precision, "Tuberia's precision")
-      ->check(CLI::IsMember({"exact", "fast"}))->capture_default_str();
-  app.add_option("--require-mean", options.requirement.mean, "Exit status 1 if the geometric mean of the ratios is below this")
-      ->check(CLI::PositiveNumber);
-  app.add_option("--require-least", options.requirement.least, "Exit status 1 if any ratio is below this")->check(CLI::PositiveNumber);
+void add_options(CommandLine& line, Options& options) {
+  line.words("workload", options.prefixes, "Run only workloads whose names begin with one of these");
+  line.whole("--threads", options.threads, 1, 16, "Threads of each peer, and cores that both are kept to");
+  line.whole("--rounds", options.rounds, 5, 10000, "Rounds of each workload, one frame of each peer, at least");
+  line.number("--time", options.seconds, 0, 3600, "Seconds the slower peer is timed on each workload, at least");
+  line.json(options.json_file);
+  line.text("--dump", options.dump_folder, "Write both pictures and their difference to this folder");
+  line.text("--isa", options.instruction_set, "Tuberia's instruction set: sse4, avx2 or avx3 (default: the widest)");
+  line.one_of("--precision", options.precision, {"exact", "fast"}, "Tuberia's precision");
+  line.number("--require-mean", options.requirement.mean, 0, 1e6, "Exit status 1 if the geometric mean of the ratios is below this");
+  line.number("--require-least", options.requirement.least, 0, 1e6, "Exit status 1 if any ratio is below this");
 }
 
 Result<std::unique_ptr<Peer>> make_our_peer(const Options& options) {
@@ -133,9 +126,9 @@ int compare_peers(const Options& options) {
 }  // namespace tuberia::bench
 
 int main(int argc, char** argv) {
-  CLI::App app{"Times Tuberia and llvmpipe on the same frames, in turns.", "tuberia_peers"};
+  tuberia::bench::CommandLine line("Times Tuberia and llvmpipe on the same frames, in turns.", "tuberia_peers");
   tuberia::bench::Options options;
-  tuberia::bench::add_options(app, options);
-  CLI11_PARSE(app, argc, argv);
+  tuberia::bench::add_options(line, options);
+  if (const auto status = line.parse(argc, argv)) return *status;
   return tuberia::bench::compare_peers(options);
 }

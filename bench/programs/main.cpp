@@ -1,12 +1,11 @@
 // What a fragment costs in every program, alone and combined: script/bench programs.
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <cstdio>
-#include <fstream>
 
 #include "bench/figures/command_line.hpp"
+#include "bench/figures/text_file.hpp"
 #include "bench/programs/page.hpp"
 
 namespace tuberia::bench {
@@ -17,13 +16,13 @@ struct Options {
   bool quick = false;
 };
 
-void add_options(CLI::App& app, Options& options) {
-  app.add_flag("--quick", options.quick, "A few rounds: to try it out, not to quote");
-  app.add_option("--page", options.page_file, "The page to write")->capture_default_str();
-  app.add_option("--json", options.json_file, "Write the figures to this file, too");
-  app.add_option("--markdown", options.markdown_file, "Write the table to this file, too");
-  app.add_option("--isa", options.instruction_set, "Instruction set: sse4, avx2 or avx3 (default: the widest)");
-  app.add_option("--commit", options.commit, "What the page calls the measured sources");
+void add_options(CommandLine& line, Options& options) {
+  line.flag("--quick", options.quick, "A few rounds: to try it out, not to quote");
+  line.page(options.page_file);
+  line.json(options.json_file);
+  line.text("--markdown", options.markdown_file, "Write the table to this file, too");
+  line.instruction_set(options.instruction_set);
+  line.commit(options.commit);
 }
 
 int fail(const std::string& message) {
@@ -42,14 +41,6 @@ std::string json_of(std::span<const ProgramCost> costs, const Machine& machine) 
     list.push_back(row);
   }
   return Json{{"machine", sentence_of(machine)}, {"programs", list}}.dump(2) + "\n";
-}
-
-bool write_text(const std::string& path, const std::string& text) {
-  if (path.empty()) return true;
-  std::ofstream file(path);
-  file << text;
-  file.close();
-  return static_cast<bool>(file);
 }
 
 /// The combinations that cost more than they may, a line each.
@@ -72,8 +63,8 @@ int run(const Options& options) {
   const std::vector<ProgramCost> costs = measure_programs(how);
   std::fputs(programs_text(costs).c_str(), stdout);
   if (const auto written = programs_page(costs, machine, how, options.quick).write(options.page_file); !written) return fail(written.error().message);
-  if (!write_text(options.json_file, json_of(costs, machine))) return fail("cannot write " + options.json_file);
-  if (!write_text(options.markdown_file, programs_markdown(costs))) return fail("cannot write " + options.markdown_file);
+  if (const auto written = write_text(options.json_file, json_of(costs, machine)); !written) return fail(written.error().message);
+  if (const auto written = write_text(options.markdown_file, programs_markdown(costs)); !written) return fail(written.error().message);
   std::printf("\nThe page: %s\n", options.page_file.c_str());
   const std::string dear = too_dear(costs);
   return dear.empty() ? 0 : fail("combinations that cost more than their parts allow:" + dear);
@@ -83,9 +74,9 @@ int run(const Options& options) {
 }  // namespace tuberia::bench
 
 int main(int argc, char** argv) {
-  CLI::App app{"Times a fragment in every program, alone and combined, and writes a page.", "tuberia_programs"};
+  tuberia::bench::CommandLine line("Times a fragment in every program, alone and combined, and writes a page.", "tuberia_programs");
   tuberia::bench::Options options;
-  tuberia::bench::add_options(app, options);
-  CLI11_PARSE(app, argc, argv);
+  tuberia::bench::add_options(line, options);
+  if (const auto status = line.parse(argc, argv)) return *status;
   return tuberia::bench::run(options);
 }

@@ -1,14 +1,13 @@
 // What the features of the pipeline cost that a scene does not require: script/bench requirements.
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
 #include <thread>
 
 #include "bench/figures/command_line.hpp"
+#include "bench/figures/text_file.hpp"
 #include "bench/requirements/report.hpp"
 
 namespace tuberia::bench {
@@ -40,23 +39,15 @@ int fail(const std::string& message) {
   return 1;
 }
 
-void add_options(CLI::App& app, Options& options) {
-  app.add_option("scene", options.scenes, "Only these scenes")->check(CLI::IsMember(requirement_scene_names()));
-  app.add_flag("--quick", options.quick, "Three rounds: to try it out, not to quote");
-  app.add_option("--threads", options.threads, "How many threads draw")->check(CLI::Range(1, 64))->capture_default_str();
-  app.add_option("--page", options.page_file, "The page to write")->capture_default_str();
-  app.add_option("--json", options.json_file, "Write the figures to this file, too");
-  app.add_option("--markdown", options.markdown_file, "Write the tables to this file, too");
-  app.add_option("--isa", options.instruction_set, "Instruction set: sse4, avx2 or avx3 (default: the widest)");
-  app.add_option("--commit", options.commit, "What the page calls the measured sources");
-}
-
-Result<Nothing> write_text(const std::string& path, const std::string& text) {
-  std::ofstream file(path);
-  file << text;
-  file.close();
-  if (!file) return Error{"cannot write " + path};
-  return Nothing{};
+void add_options(CommandLine& line, Options& options) {
+  line.words("scene", options.scenes, "Only these scenes", requirement_scene_names());
+  line.flag("--quick", options.quick, "Three rounds: to try it out, not to quote");
+  line.whole("--threads", options.threads, 1, 64, "How many threads draw");
+  line.page(options.page_file);
+  line.json(options.json_file);
+  line.text("--markdown", options.markdown_file, "Write the tables to this file, too");
+  line.instruction_set(options.instruction_set);
+  line.commit(options.commit);
 }
 
 void tell(const MeasuredScene& scene) {
@@ -86,10 +77,8 @@ int run(const Options& options) {
     tell(measured.back());
   }
   if (const auto written = requirements_page(measured, machine, *how, options.quick).write(options.page_file); !written) return fail(written.error().message);
-  if (!options.json_file.empty())
-    if (const auto written = write_text(options.json_file, requirements_json(measured, machine)); !written) return fail(written.error().message);
-  if (!options.markdown_file.empty())
-    if (const auto written = write_text(options.markdown_file, requirements_markdown(measured)); !written) return fail(written.error().message);
+  if (const auto written = write_text(options.json_file, requirements_json(measured, machine)); !written) return fail(written.error().message);
+  if (const auto written = write_text(options.markdown_file, requirements_markdown(measured)); !written) return fail(written.error().message);
   std::printf("The page: %s\n", options.page_file.c_str());
   const bool all_equal = std::all_of(measured.begin(), measured.end(), [](const MeasuredScene& s) { return s.pictures_are_equal; });
   return all_equal ? 0 : fail("the pictures of a scene differ");
@@ -99,9 +88,9 @@ int run(const Options& options) {
 }  // namespace tuberia::bench
 
 int main(int argc, char** argv) {
-  CLI::App app{"Draws scenes with the smallest pipeline, with everything enabled, and with single features, and writes a page.", "tuberia_requirements"};
+  tuberia::bench::CommandLine line("Draws scenes with the smallest pipeline, with everything enabled, and with single features, and writes a page.", "tuberia_requirements");
   tuberia::bench::Options options;
-  tuberia::bench::add_options(app, options);
-  CLI11_PARSE(app, argc, argv);
+  tuberia::bench::add_options(line, options);
+  if (const auto status = line.parse(argc, argv)) return *status;
   return tuberia::bench::run(options);
 }

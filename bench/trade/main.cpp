@@ -1,15 +1,13 @@
 // What every switch that trades speed for accuracy costs and gives: script/bench trade.
 
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 
 #include "bench/figures/command_line.hpp"
+#include "bench/figures/text_file.hpp"
 #include "bench/trade/adviser_table.hpp"
 #include "bench/trade/plots.hpp"
 #include "bench/trade/progress.hpp"
@@ -31,17 +29,15 @@ int fail(const std::string& message) {
   return 1;
 }
 
-void add_options(CLI::App& app, Options& options) {
-  app.add_option("stage", options.only, "Only these stages or whole scenes (\"scenes\": all of those)");
-  app.add_flag("--quick", options.quick, "Three rounds of everything: to try it out, not to quote");
-  app.add_option("--threads", options.threads, "Threads of the pipeline")
-      ->check(CLI::Range(1, 64))
-      ->capture_default_str();
-  app.add_option("--isa", options.instruction_set, "Instruction set: sse4, avx2 or avx3 (default: the widest)");
-  app.add_option("--folder", options.folder, "Where trade.html, .csv, .json and .md go")->capture_default_str();
-  app.add_option("--advice", options.advice_file, "Instead, measure what `tuberia render --error-budget` predicts from, and write it to this file");
-  app.add_option("--images", options.images_folder, "Write every plot as an SVG file into this folder, too");
-  app.add_option("--commit", options.commit, "What the page calls the measured sources");
+void add_options(CommandLine& line, Options& options) {
+  line.words("stage", options.only, "Only these stages or whole scenes (\"scenes\": all of those)");
+  line.flag("--quick", options.quick, "Three rounds of everything: to try it out, not to quote");
+  line.whole("--threads", options.threads, 1, 64, "Threads of the pipeline");
+  line.instruction_set(options.instruction_set);
+  line.text("--folder", options.folder, "Where trade.html, .csv, .json and .md go");
+  line.text("--advice", options.advice_file, "Instead, measure what `tuberia render --error-budget` predicts from, and write it to this file");
+  line.text("--images", options.images_folder, "Write every plot as an SVG file into this folder, too");
+  line.commit(options.commit);
 }
 
 bool is_chosen(const Options& options, const std::string& name, const std::string& kind) {
@@ -127,17 +123,6 @@ Result<TradeResult> measure_all(const Options& options, const PipelineOptions& p
   return result;
 }
 
-Result<Nothing> write_text(const std::string& path, const std::string& text) {
-  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-  std::error_code ignored;  // the file's own failure says it, too
-  if (!folder.empty()) std::filesystem::create_directories(folder, ignored);
-  std::ofstream file(path);
-  file << text;
-  file.close();
-  if (!file) return Error{"cannot write " + path};
-  return Nothing{};
-}
-
 Result<Nothing> write_images(const std::string& folder, const TradeResult& result) {
   if (!result.scenes.empty())
     if (const auto written =
@@ -198,10 +183,9 @@ int run(const Options& options) {
 }  // namespace tuberia::bench::trade
 
 int main(int argc, char** argv) {
-  CLI::App app{"Measures what every switch that trades speed for accuracy costs and gives, and writes a page of plots.",
-               "tuberia_trade"};
+  tuberia::bench::CommandLine line("Measures what every switch that trades speed for accuracy costs and gives, and writes a page of plots.", "tuberia_trade");
   tuberia::bench::trade::Options options;
-  tuberia::bench::trade::add_options(app, options);
-  CLI11_PARSE(app, argc, argv);
+  tuberia::bench::trade::add_options(line, options);
+  if (const auto status = line.parse(argc, argv)) return *status;
   return tuberia::bench::trade::run(options);
 }
