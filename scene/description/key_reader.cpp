@@ -234,16 +234,6 @@ void KeyReader::finish(const SceneDescription& scene) {
     const bool is_there = is_texture ? find_texture(scene, reference.name) != nullptr : find_material(scene, reference.name) != nullptr;
     if (!is_there) refuse(reference.line, reference.path + " is '" + reference.name + "', but there is no " + (is_texture ? "texture" : "material") + " of that name");
   }
-  refuse_mirrors_of_nothing(scene);
-}
-
-void KeyReader::refuse_mirrors_of_nothing(const SceneDescription& scene) {
-  if (scene.environment) return;
-  const LocatedJson* materials = levels_.front().json->find("materials");
-  for (const Material& material : scene.materials) {
-    const LocatedJson* json = materials->find(material.name);
-    if (material.mirror != glm::vec3(0)) refuse(json->find("mirror")->line, "materials." + material.name + ".mirror is not 0, but the scene has no environment");
-  }
 }
 
 }  // namespace tuberia::description

@@ -67,7 +67,6 @@ class KeyReader final : public Keys {
   bool row_of(const LocatedJson&, const std::string& path, std::size_t columns, const Range&, std::vector<double>& row);
   std::string path_of(std::string_view key) const;
   void refuse_unknown_keys();
-  void refuse_mirrors_of_nothing(const SceneDescription&);
   void refuse(int line, const std::string& reason);
 
   std::vector<Level> levels_;

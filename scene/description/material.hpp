@@ -93,7 +93,7 @@ struct Material {
   std::optional<Pattern> pattern;     // of kd, where there is no texture
   Mapping mapping;
   std::optional<Bump> bump;
-  glm::vec3 mirror{0};                // kps: times the environment in the mirror direction
+  glm::vec3 mirror{0};                // kps: times the environment in the mirror direction; of traced rays, times what they meet there
   glm::vec3 transmission{0};          // kt: times the light from the refracted direction           [B 5-2]
   double shadow_density = 0;          // where kt > 0: light that goes straight through is multiplied by exp(-density * world units inside)
   double alpha = 1;                   // opacity

@@ -120,7 +120,7 @@ void material_keys(Keys& keys, Material& material) {
   keys.require("pattern", !material.pattern || material.texture.empty(), "is there beside a texture");
   keys.object({"mapping", "of texture coordinates"}, material.mapping, mapping_keys);
   keys.object({"bump", "relief that only normals know of"}, material.bump, bump_keys);
-  keys.colour({"mirror", "kps, times the environment in the mirror direction"}, material.mirror);
+  keys.colour({"mirror", "kps, times the environment in the mirror direction, or what rays meet there"}, material.mirror);
   keys.number({"alpha", "opacity"}, material.alpha, within(0, 1));
   keys.flag({"two_sided", "the side that faces the eye is lit"}, material.two_sided);
 }

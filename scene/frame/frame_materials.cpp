@@ -2,34 +2,14 @@
 
 #include <algorithm>
 #include <array>
-#include <glm/matrix.hpp>
 
 #include "pipeline/programs/programs.hpp"
-#include "scene/content/placement.hpp"
+#include "scene/content/material_constants.hpp"
 
 namespace tuberia {
 namespace {
 
 using description::Shading;
-
-ReflectionConstants constants_of(const description::Material& material) {
-  return {.model = static_cast<Reflection>(material.model),
-          .ambient = material.ambient.value_or(material.diffuse),
-          .diffuse = material.diffuse,
-          .specular = material.model == description::Reflection::lambert ? glm::vec3(0) : material.specular,
-          .exponent = static_cast<float>(material.exponent),
-          .roughness = static_cast<float>(material.roughness),
-          .refractive_index = material.refractive_index,
-          .facets = static_cast<FacetDistribution>(material.facets),
-          .divided_by_pi = material.divided_by_pi};
-}
-
-Pattern pattern_of(const description::Pattern& from) {
-  constexpr std::array kKinds{Pattern::Kind::checker, Pattern::Kind::random_squares, Pattern::Kind::wood, Pattern::Kind::marble};
-  return {.kind = kKinds[static_cast<std::size_t>(from.kind)], .first = from.first, .second = from.second,
-          .scale = static_cast<float>(from.scale), .turbulence = static_cast<float>(from.turbulence), .seed = from.seed,
-          .pattern_from_world = glm::inverse(float_matrix_of(from.placement))};
-}
 
 BumpMap bump_of(const description::Bump& from, const FrameTextures& textures) {
   constexpr std::array kKinds{BumpMap::Kind::height_texture, BumpMap::Kind::normal_map, BumpMap::Kind::waves, BumpMap::Kind::orange, BumpMap::Kind::rough};

@@ -32,13 +32,16 @@ Result<FramePart> frame_part(ContentPart from, OwnTextures& textures) {
                    .alpha_cutoff = from.alpha_cutoff};
 }
 
-void warn(const description::Object& object, const std::string& name, const std::vector<FramePart>& parts, std::vector<std::string>& warnings) {
+void warn(const SceneDescription& scene, const description::Object& object, const std::string& name, const std::vector<FramePart>& parts, std::vector<std::string>& warnings) {
   const bool reads_colours = object.shading == description::Shading::flat || object.shading == description::Shading::gouraud;
   for (const FramePart& part : parts)
     if (!part.mesh.colours.empty() && !reads_colours) warnings.push_back(name + ": the colours at its vertices are seen with flat and gouraud shading only");
   const auto is_clear = [](const FramePart& part) { return part.material.transmission != glm::vec3(0); };
   if (std::any_of(parts.begin(), parts.end(), is_clear))
     warnings.push_back(name + ": what is behind it shows through straight on, not refracted; that takes rays (tuberia trace)");
+  const auto is_mirror = [](const FramePart& part) { return part.material.mirror != glm::vec3(0); };
+  if (!scene.environment && std::any_of(parts.begin(), parts.end(), is_mirror))
+    warnings.push_back(name + ": it mirrors nothing, since the scene has no environment; to mirror other objects takes one or rays (tuberia trace)");
 }
 
 }  // namespace
@@ -54,7 +57,7 @@ Result<std::vector<FramePart>> parts_of(const SceneDescription& scene, const des
     if (!part) return Error{name + ": " + part.error().message};
     parts.push_back(*std::move(part));
   }
-  warn(object, name, parts, warnings);
+  warn(scene, object, name, parts, warnings);
   return parts;
 }
 

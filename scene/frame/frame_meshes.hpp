@@ -20,7 +20,8 @@ struct FramePart {
 };
 
 /// What content_of gives. Errors: of content_of, and pictures of a size that textures cannot have. Warnings are
-/// appended: of content_of, for colours at vertices that no fragment program reads, and for what is seen through but not bent.
+/// appended: of content_of, for colours at vertices that no fragment program reads, for what is seen through but not
+/// bent, and for mirrors of nothing.
 Result<std::vector<FramePart>> parts_of(const SceneDescription& scene, const description::Object& object, std::vector<std::string>& warnings);
 
 }  // namespace tuberia

@@ -102,6 +102,18 @@ TEST_CASE("frame: what is clear lets through its share of what lies behind, and 
   CHECK(slab.at({0, 0, 0}) == Rgba32F{0.3125f, 0.1875f, 0.75f, 1});
 }
 
+TEST_CASE("frame: a mirror without surroundings is drawn without, and warned of", "[frame]") {
+  const auto scene_with = [](const std::string& more) {
+    return test::drawn(R"({"image": {"width": 8, "height": 8}, "ambient": 1, "materials": {"m": {"diffuse": 0.25, "mirror": 0.5}},
+      "objects": [{"name": "ball", "shape": {"type": "sphere"}, "material": "m"}])" + more + "}");
+  };
+  const test::DrawnScene lonely = scene_with("");
+  CHECK(lonely.at({0, 0, 1}).r == 0.25f);
+  REQUIRE(lonely.warnings.size() == 1);
+  CHECK(one_line_naming(lonely.warnings[0], "object 0 'ball'"));
+  CHECK(scene_with(R"(, "environment": {"source": "sky", "resolution": 8})").warnings.empty());
+}
+
 TEST_CASE("frame: colours at vertices that no program reads are warned of", "[frame]") {
   const auto scene_with = [](const std::string& shading) {
     return test::drawn(R"({"image": {"width": 8, "height": 8}, "objects": [{"name": "leaf", "shading": ")" + shading + R"(",

@@ -120,7 +120,6 @@ TEST_CASE("scene file: values that do not go together are refused", "[scene][sce
       {"{\"materials\": {\"a\": {\"mapping\": {\"type\": \"sphere\", \"pole\": [1, 1, 0]}}}}", "1: materials.a.mapping.equator is not perpendicular to the pole"},
       {"{\"textures\": {\"t\": {\"source\": \"checker\"}}, \"materials\": {\"a\": {\"texture\": \"t\", \"pattern\": {\"type\": \"wood\"}}}}",
        "1: materials.a.pattern is there beside a texture"},
-      {"{\"materials\": {\"ball\": {\n\"mirror\": 0.5}}}", "2: materials.ball.mirror is not 0, but the scene has no environment"},
       {mesh + "\"triangles\": [[0, 1, 3]]}}]}", "2: objects[0].shape.triangles has the index 3, but the mesh has 3 vertices"},
       {mesh + "\"triangles\": [[0, 1, 1.5]]}}]}", "2: objects[0].shape.triangles has the index 1.5, but the mesh has 3 vertices"},
       {mesh + "\"triangles\": [[0, 1]]}}]}", "2: objects[0].shape.triangles[0] is a list of 2, but must be a list of 3 numbers"},
