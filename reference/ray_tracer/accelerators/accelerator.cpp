@@ -2,8 +2,11 @@
 
 #include <chrono>
 
+#include "reference/ray_tracer/accelerators/bounding_spheres.hpp"
 #include "reference/ray_tracer/accelerators/bvh.hpp"
+#include "reference/ray_tracer/accelerators/grid.hpp"
 #include "reference/ray_tracer/accelerators/none.hpp"
+#include "reference/ray_tracer/accelerators/octree.hpp"
 
 namespace tuberia::tracer {
 namespace {
@@ -11,10 +14,10 @@ namespace {
 std::unique_ptr<SearchingAccelerator> made(AcceleratorKind kind, const Items& items, Workers& workers, const AcceleratorSettings& settings) {
   switch (kind) {
     case AcceleratorKind::none: return std::make_unique<NoAccelerator>(items);
-    case AcceleratorKind::bounding_spheres:
-    case AcceleratorKind::bvh:
-    case AcceleratorKind::grid:
-    case AcceleratorKind::octree: return std::make_unique<Bvh>(items, workers, settings);
+    case AcceleratorKind::bounding_spheres: return std::make_unique<BoundingSpheres>(items, workers, settings);
+    case AcceleratorKind::bvh: return std::make_unique<Bvh>(items, workers, settings);
+    case AcceleratorKind::grid: return std::make_unique<Grid>(items, workers, settings);
+    case AcceleratorKind::octree: return std::make_unique<Octree>(items, workers, settings);
   }
   return std::make_unique<NoAccelerator>(items);
 }

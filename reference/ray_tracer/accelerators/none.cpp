@@ -2,9 +2,6 @@
 
 namespace tuberia::tracer {
 
-void NoAccelerator::search(Search& search) const noexcept {
-  const auto count = static_cast<std::uint32_t>(items().count());
-  for (std::uint32_t item = 0; item < count && !search.is_over(); ++item) search.ask(item);
-}
+void NoAccelerator::search(Search& search) const noexcept { search.ask_all(); }
 
 }  // namespace tuberia::tracer

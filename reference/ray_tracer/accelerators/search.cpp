@@ -10,6 +10,12 @@ namespace {
 
 bool is_bounded(const Box& box) noexcept { return std::max(largest_component(box.lower), largest_component(box.upper)) <= kLargestCoordinate; }
 
+/// Whether the numbers of a ray can be multiplied by those of boxes.
+bool is_ordinary(const Ray& ray) noexcept {
+  const double length = largest_component(ray.direction);
+  return largest_component(ray.origin) <= kLargestCoordinate && length >= 1 / kLargestCoordinate && length <= kLargestCoordinate;
+}
+
 }  // namespace
 
 void Search::open_mailboxes() {
@@ -18,6 +24,11 @@ void Search::open_mailboxes() {
   // All numbers have been used: the next ray begins anew, and no box may hold its number yet.
   std::fill(traversal_.mailboxes.begin(), traversal_.mailboxes.end(), 0u);
   traversal_.ray_number = 1;
+}
+
+void Search::ask_all() noexcept {
+  const auto count = static_cast<std::uint32_t>(items_.count());
+  for (std::uint32_t item = 0; item < count && !is_over(); ++item) ask(item);
 }
 
 BoxedItems boxes_of(const Items& items, Workers& workers) {
@@ -44,6 +55,10 @@ Hit SearchingAccelerator::found(const Ray& ray, Traversal& traversal, bool for_a
   ++traversal.work.rays;
   if (!is_sound(ray)) return {};
   Search search(items_, ray, traversal, for_anything);
+  if (!is_ordinary(ray)) {
+    search.ask_all();
+    return search.nearest();
+  }
   for (const std::uint32_t item : unbounded_) {
     search.ask(item);
     if (search.is_over()) break;

@@ -21,6 +21,7 @@ class Search {
   double limit() const noexcept { return nearest_ ? nearest_.t : ray_.ray.t_max; }
   bool is_over() const noexcept { return for_anything_ && nearest_; }
 
+  void ask_all() noexcept;
   void ask(std::uint32_t item) noexcept {
     ++traversal_.work.item_tests;
     items_.intersect(item, ray_, nearest_);
