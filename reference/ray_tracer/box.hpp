@@ -1,8 +1,9 @@
 #pragma once
-// Boxes along the axes, in double.
+// Boxes along the axes, and spheres, that contain things; in double.
 
 #include <algorithm>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
 #include "reference/ray_tracer/ray.hpp"
@@ -31,5 +32,13 @@ struct Box {
   }
   bool operator==(const Box&) const = default;
 };
+
+/// Contains a thing, so that a ray that passes it by need not ask the thing itself.             [B 5.7.1]
+struct BoundingSphere {
+  glm::dvec3 centre{0};
+  double radius = 0;
+};
+
+inline BoundingSphere sphere_around(const Box& box) noexcept { return {.centre = box.centre(), .radius = glm::length(box.upper - box.centre())}; }
 
 }  // namespace tuberia::tracer

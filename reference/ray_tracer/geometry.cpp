@@ -1,5 +1,7 @@
 #include "reference/ray_tracer/geometry.hpp"
 
+#include <algorithm>
+
 #include "reference/ray_tracer/shapes/triangle.hpp"
 
 namespace tuberia::tracer {
@@ -47,6 +49,19 @@ Box Geometry::bounds(std::int64_t item) const noexcept {
   if (const auto corners = triangle(item))
     for (const glm::dvec3& corner : *corners) box.add(corner);
   return box;
+}
+
+BoundingSphere Geometry::bounding_sphere(std::int64_t item) const noexcept {
+  const Reference& of = reference(item);
+  if (of.mesh < 0) {
+    const PlacedShape& placed = shapes_[static_cast<std::size_t>(of.index)];
+    return placed.placement.to_world(placed.shape->bounding_sphere());
+  }
+  // Around the centroid, as far as the farthest corner [B 5.7.1].
+  const std::array<glm::dvec3, 3> corners = meshes_[static_cast<std::size_t>(of.mesh)].corners_of(of.index);
+  BoundingSphere sphere{.centre = (corners[0] + corners[1] + corners[2]) / 3.0};
+  for (const glm::dvec3& corner : corners) sphere.radius = std::max(sphere.radius, glm::length(corner - sphere.centre));
+  return sphere;
 }
 
 bool Geometry::intersect(std::int64_t item, const PreparedRay& ray, Hit& nearest) const noexcept {

@@ -22,6 +22,7 @@ struct Placement {
   /// Unit; points outwards, mirrored or not. 0 for a normal without a length.
   glm::dvec3 normal_to_world(const glm::dvec3& normal) const noexcept;
   Box to_world(const Box& box) const noexcept;   // infinite sides stay infinite
+  BoundingSphere to_world(const BoundingSphere& sphere) const noexcept;
   /// What a number of object space can become in the world.
   double magnitude_to_world(double magnitude) const noexcept;
 
@@ -45,6 +46,7 @@ class Geometry final : public Items {
   std::int64_t count() const noexcept override { return static_cast<std::int64_t>(references_.size()); }
   /// The empty box for an item that nothing meets.
   Box bounds(std::int64_t item) const noexcept override;
+  BoundingSphere bounding_sphere(std::int64_t item) const noexcept override;
   bool intersect(std::int64_t item, const PreparedRay& ray, Hit& nearest) const noexcept override;
 
   int part_of(std::int64_t item) const noexcept;

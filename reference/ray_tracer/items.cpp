@@ -16,9 +16,6 @@ PreparedRay::PreparedRay(const Ray& sound_ray) noexcept : ray(sound_ray), invers
   shear = glm::dvec3(d[x] / d[z], d[y] / d[z], 1 / d[z]);
 }
 
-BoundingSphere Items::bounding_sphere(std::int64_t item) const noexcept {
-  const Box box = bounds(item);
-  return {.centre = box.centre(), .radius = glm::length(box.upper - box.centre())};
-}
+BoundingSphere Items::bounding_sphere(std::int64_t item) const noexcept { return sphere_around(bounds(item)); }
 
 }  // namespace tuberia::tracer

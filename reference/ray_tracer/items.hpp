@@ -19,12 +19,6 @@ struct PreparedRay {
   glm::dvec3 shear;
 };
 
-/// Contains a thing; enough to say that a ray passes it by.                              [B 5.7.1]
-struct BoundingSphere {
-  glm::dvec3 centre{0};
-  double radius = 0;
-};
-
 class Items {
  public:
   virtual ~Items() = default;

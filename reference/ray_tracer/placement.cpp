@@ -44,6 +44,15 @@ Box Placement::to_world(const Box& box) const noexcept {
   return std::isfinite(rounding) ? Box{world.lower - rounding, world.upper + rounding} : world;
 }
 
+BoundingSphere Placement::to_world(const BoundingSphere& sphere) const noexcept {
+  // The square of the longest stretch is an eigenvalue of M^T M, and no larger than its largest row (Gershgorin); where
+  // all directions are stretched alike they are equal.
+  const glm::dmat3 squares = glm::transpose(linear) * linear;
+  double longest = 0;
+  for (int row = 0; row < 3; ++row) longest = std::max(longest, std::abs(squares[row].x) + std::abs(squares[row].y) + std::abs(squares[row].z));
+  return {.centre = point_to_world(sphere.centre), .radius = std::sqrt(longest) * sphere.radius * (1 + 1e-14)};
+}
+
 double Placement::magnitude_to_world(double magnitude) const noexcept {
   double largest = 0;
   for (int row = 0; row < 3; ++row) {

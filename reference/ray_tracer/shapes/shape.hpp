@@ -23,6 +23,9 @@ class Shape {
   /// Contains the whole shape; sides may be infinite.
   virtual Box bounds() const noexcept = 0;
 
+  /// Contains the whole shape, if its box is finite.
+  virtual BoundingSphere bounding_sphere() const noexcept { return sphere_around(bounds()); }
+
   /// Whether the line between any two points of its surface meets it nowhere else, so that the surface cannot shadow
   /// itself but where it is turned away.
   virtual bool is_convex() const noexcept { return false; }

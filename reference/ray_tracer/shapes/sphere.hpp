@@ -14,6 +14,7 @@ class Sphere final : public Shape {
   std::optional<ShapeHit> intersect(const Ray& ray) const noexcept override;
   SurfacePoint surface(const Ray& ray, const ShapeHit& hit) const noexcept override;
   Box bounds() const noexcept override { return {centre_ - radius_, centre_ + radius_}; }
+  BoundingSphere bounding_sphere() const noexcept override { return {centre_, radius_}; }
   bool is_convex() const noexcept override { return true; }
 
  private:
