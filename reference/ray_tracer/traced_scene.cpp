@@ -11,6 +11,7 @@
 #include "scene/content/object_content.hpp"
 #include "scene/content/placement.hpp"
 #include "scene/content/scene_camera.hpp"
+#include "scene/content/shape_meshes.hpp"
 #include "scene/description/check_scene.hpp"
 #include "scene/sphere_mapping.hpp"
 
@@ -131,8 +132,12 @@ Result<Nothing> TracedSceneBuilder::add(const description::Object& object) {
   if (!material) return error_at(name_of_object(scene(), object), material.error());
   const bool is_smooth = object.normals == description::Normals::exact && has_exact_coordinates(object, material->mapping);
   const bool is_wanted = options_.surfaces == SurfaceKind::exact && is_smooth;
-  if (is_wanted || is_never_mesh(object.shape))
-    if (auto shape = exact_shape(object.shape)) return add_exact(object, std::move(shape));
+  const bool has_no_mesh = may_have_no_mesh(object.shape) && !mesh_of_shape(scene(), object.shape);
+  if (is_wanted || has_no_mesh) {
+    auto shape = exact_shape(object.shape);
+    if (!shape) return error_at(name_of_object(scene(), object), shape.error());
+    if (*shape != nullptr) return add_exact(object, *std::move(shape));
+  }
   return add_meshes(object);
 }
 

@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "math/transforms.hpp"
+#include "scene/content/polygon_mesh.hpp"
 #include "scene/content/texture_picture.hpp"
 #include "scene/mesh_editing.hpp"
 #include "scene/shapes/shapes.hpp"
@@ -84,37 +85,9 @@ Result<Mesh> mesh_of(const SceneDescription&, const description::TriangleMesh& s
   return mesh;
 }
 
-/// Twice the area of a polygon as a vector along its normal.                         [Newell]
-glm::dvec3 area_of(const std::vector<glm::dvec3>& outline) {
-  glm::dvec3 sum(0);
-  for (std::size_t i = 0; i < outline.size(); ++i) sum += glm::cross(outline[i] - outline[0], outline[(i + 1) % outline.size()] - outline[0]);
-  return sum;
-}
-
-/// Whether all corners turn the same way, once round in all.
-bool is_convex(const std::vector<glm::dvec3>& outline, const glm::dvec3& area) {
-  const std::size_t count = outline.size();
-  for (std::size_t i = 0; i < count; ++i)
-    for (std::size_t k = 0; k < count; ++k)
-      if (glm::dot(glm::cross(outline[(i + 1) % count] - outline[i], outline[k] - outline[i]), area) < -1e-9 * glm::dot(area, area)) return false;
-  return true;
-}
-
 Error traced_only(std::string_view what) { return {std::string(what) + " can only be traced (tuberia trace)"}; }
 
-/// A fan, which fills convex polygons.
-Result<Mesh> mesh_of(const SceneDescription&, const description::Polygon& polygon) {
-  const glm::dvec3 area = area_of(polygon.outline);
-  if (area == glm::dvec3(0)) return Error{"its polygon has no area"};
-  if (!polygon.holes.empty()) return traced_only("a polygon with holes");
-  if (!is_convex(polygon.outline, area)) return traced_only("a polygon that is not convex");
-  Mesh mesh;
-  mesh.positions.assign(polygon.outline.begin(), polygon.outline.end());
-  mesh.normals.assign(polygon.outline.size(), glm::vec3(glm::normalize(area)));
-  for (std::uint32_t i = 2; i < polygon.outline.size(); ++i) mesh.indices.insert(mesh.indices.end(), {0, i - 1, i});
-  return mesh;
-}
-
+Result<Mesh> mesh_of(const SceneDescription&, const description::Polygon& polygon) { return polygon_mesh(polygon); }
 Result<Mesh> mesh_of(const SceneDescription&, const description::InfinitePlane&) { return traced_only("an infinite plane"); }
 Result<Mesh> mesh_of(const SceneDescription&, const description::Polyhedron&) { return traced_only("a polyhedron of planes"); }
 Result<Mesh> mesh_of(const SceneDescription&, const description::Quadric&) { return traced_only("a quadric"); }

@@ -97,6 +97,61 @@ TEST_CASE("traced scene: triangles for all are those of the mesh", "[ray_tracer]
   CHECK_FALSE(exact.geometry().triangle(0).has_value());
 }
 
+TEST_CASE("traced scene: each kind of shape is what it says, exactly and as triangles", "[ray_tracer][traced_scene]") {
+  // A ray that meets it, where it does, and the normal there.
+  struct Kind {
+    std::string shape;
+    glm::dvec3 from, to, wanted, normal;
+    bool is_exact = true, has_mesh = true;
+  };
+  const double slanted = 1 / std::sqrt(5.0);  // of a cone that rises by 2 on a radius of 1
+  const std::vector<Kind> kinds{
+      {R"("type": "plane", "width": 2, "depth": 4)", {0.5, 2, 1.5}, {0.5, 0, 1.5}, {0.5, 0, 1.5}, {0, 1, 0}},
+      {R"("type": "cube", "size": [1, 2, 3])", {5, 0.5, 0.5}, {0, 0.5, 0.5}, {0.5, 0.5, 0.5}, {1, 0, 0}},
+      {R"("type": "sphere", "radius": 2)", {0, 0, 9}, {0, 0, 0}, {0, 0, 2}, {0, 0, 1}},
+      {R"("type": "cylinder", "radius": 2, "height": 1)", {0, 0.25, 9}, {0, 0.25, 0}, {0, 0.25, 2}, {0, 0, 1}},
+      {R"("type": "cone", "radius": 1, "height": 2)", {0, 0, 9}, {0, 0, 0}, {0, 0, 0.5}, {0, slanted, 2 * slanted}},
+      {R"("type": "torus", "ring_radius": 2, "tube_radius": 0.5)", {0, 5, 2}, {0, 0, 2}, {0, 0.5, 2}, {0, 1, 0}},
+      {R"("type": "disc", "radius": 2)", {1, 3, 1}, {1, 0, 1}, {1, 0, 1}, {0, 1, 0}},
+      {R"("type": "mesh", "positions": [[0,0,0],[2,0,0],[0,0,-2]], "triangles": [[0,1,2]])", {0.5, 3, -0.5}, {0.5, 0, -0.5}, {0.5, 0, -0.5}, {0, 1, 0}, false},
+      {R"("type": "height-field", "heights": [[2, 2], [2, 2]])", {0.3, 5, 0.2}, {0.3, 0, 0.2}, {0.3, 2, 0.2}, {0, 1, 0}, false},
+      {R"("type": "infinite-plane")", {1e4, 1, 0}, {1e4, 0, 0}, {1e4, 0, 0}, {0, 1, 0}, true, false},
+      {R"("type": "polygon", "outline": [[0,0,0],[4,0,0],[4,4,0],[0,4,0]])", {3, 1, 2}, {3, 1, 0}, {3, 1, 0}, {0, 0, 1}},
+      {R"("type": "polygon", "outline": [[0,0,0],[4,0,0],[4,4,0],[0,4,0]], "holes": [{"points": [[1,1,0],[2,1,0],[2,2,0]]}])", {3, 1, 2}, {3, 1, 0}, {3, 1, 0}, {0, 0, 1}, true, false},
+      {R"("type": "polyhedron", "planes": [[1,0,0,-1],[-1,0,0,-1],[0,1,0,-2],[0,-1,0,-2],[0,0,1,-3],[0,0,-1,-3]])", {0.5, 9, 0.5}, {0.5, 0, 0.5}, {0.5, 2, 0.5}, {0, 1, 0}, true, false},
+      {R"("type": "quadric", "q": [[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,-4]], "lower": [-2,-2,-2], "upper": [2,2,2])", {9, 0, 0}, {0, 0, 0}, {2, 0, 0}, {1, 0, 0}, true, false}};
+  for (const SurfaceKind surfaces : {SurfaceKind::exact, SurfaceKind::tessellated})
+    for (const Kind& kind : kinds) {
+      CAPTURE(kind.shape);
+      const TracedScene scene = traced(std::string(R"({"objects": [{"shape": {)").append(kind.shape).append(R"(}, "transforms": [{"translate": [1, 0, 0]}]}]})"), surfaces);
+      const glm::dvec3 moved(1, 0, 0);
+      const TracedMeeting meeting = met(scene, kind.from + moved, kind.to + moved);
+      const bool is_exact = surfaces == SurfaceKind::exact ? kind.is_exact : !kind.has_mesh;
+      CHECK(scene.geometry().triangle(meeting.hit.item).has_value() == !is_exact);
+      CHECK(largest_difference(meeting.at.position - moved, kind.wanted) < (is_exact ? 1e-12 : 0.01));
+      CHECK(largest_difference(meeting.at.normal, kind.normal) < (is_exact ? 1e-12 : 0.05));
+    }
+}
+
+TEST_CASE("traced scene: polygons that are drawn have the coordinates of those that are traced", "[A44][ray_tracer][traced_scene]") {
+  const std::string leaning = R"({"objects": [{"shape": {"type": "polygon", "outline": [[0,0,0],[4,0,1],[5,3,2],[1,2,0.75]]}}]})";
+  const std::string lying = R"({"objects": [{"shape": {"type": "polygon", "outline": [[0,0,0],[0,1,2],[3,1,2],[3,0,0]]}}]})";
+  const std::string aside = R"({"objects": [{"shape": {"type": "polygon", "outline": [[0,0,0],[0,3,0],[-1,3,2],[-1,0,2]]}}]})";
+  for (const std::string& text : {leaning, lying, aside}) {
+    const TracedScene exact = traced(text), drawn = traced(text, SurfaceKind::tessellated);
+    REQUIRE(exact.geometry().count() == 1);
+    REQUIRE(drawn.geometry().count() == 2);
+    const auto corners = std::get<description::Polygon>(exact.description().objects[0].shape).outline;
+    const glm::dvec3 middle = 0.4 * corners[0] + 0.3 * corners[1] + 0.2 * corners[2] + 0.1 * corners[3];
+    const glm::dvec3 front = middle + glm::normalize(glm::cross(corners[1] - corners[0], corners[3] - corners[0]));
+    const TracedMeeting one = met(exact, front, middle), other = met(drawn, front, middle);
+    CHECK(largest_difference(one.at.normal, other.at.normal) < 1e-6);
+    CHECK(largest_difference(one.at.tangent, other.at.tangent) < 1e-5);
+    CHECK(largest_difference(one.at.bitangent, other.at.bitangent) < 1e-5);
+    CHECK(glm::length(one.at.texcoord - other.at.texcoord) < 1e-6);
+  }
+}
+
 TEST_CASE("traced scene: leaves of model files have holes where their picture says so", "[ray_tracer][traced_scene]") {
   const TemporaryFolder folder;
   Image<Rgba8> picture(8, 8, {255, 0, 0, 255});  // whole on the left, gone on the right
@@ -132,6 +187,9 @@ TEST_CASE("traced scene: files that are not there are refused with their names",
   check(R"({"environment": {"source": "panorama", "file": "no such hall.hdr"}})", "environment: ");
   check(R"({"textures": {"t": {"source": "checker"}}, "lights": [{"type": "spot", "name": "slides", "position": [0, 5, 0], "projection": {"texture": "t"}}]})",
         "light 0 'slides': its projection: ");
+  check(R"({"objects": [{"name": "slab", "shape": {"type": "polyhedron", "planes": [[0,1,0,-1],[0,-1,0,-1]]}}]})", "object 0 'slab': ");
+  check(R"({"objects": [{"name": "kite", "shape": {"type": "polygon", "outline": [[0,0,0],[1,0,0],[2,0,0]]}}]})", "object 0 'kite': ");
+  check(R"({"objects": [{"name": "kite", "shape": {"type": "polygon", "outline": [[0,0,0],[1,0,0],[1,1,0],[0,1,1]]}}]})", "object 0 'kite': ");
   check(R"({"materials": {"m": {"pattern": {"type": "checker"}}}, "objects": [{"name": "leaf", "material": "m",
     "shape": {"type": "mesh", "positions": [[0,0,0],[1,0,0],[0,1,0]], "triangles": [[0,1,2]]}}]})", "object 0 'leaf': ");
   check(R"({"materials": {"m": {"bump": {"type": "waves"}}}, "objects": [{"name": "leaf", "material": "m",
