@@ -143,14 +143,27 @@ bool is_on(const Witness& witness, const Ray& ray, double t, double near) {
   return (before < 0) != (after < 0) && witness.margin(ray.at(t)) > -1e-9;
 }
 
+/// At the size 1: from around the shape or within it, most in any direction, some along axes or in planes of them, where coefficients vanish.
+Ray some_ray(Random& random, int number) {
+  Ray ray{.origin = in_box(random, number % 3 == 0 ? 0.9 : 3), .direction = glm::dvec3(0)};
+  const glm::dvec3 target = in_box(random, 0.9);
+  if (number % 7 == 0) ray.origin[random.below(3) == 0 ? 1 : 0] = target[0];
+  if (number % 11 == 0) {
+    const glm::dvec3 kept = ray.origin;
+    const auto axis = static_cast<int>(random.below(3));
+    ray.origin = target;
+    ray.origin[axis] = kept[axis];
+  }
+  ray.direction = glm::normalize(target - ray.origin);
+  return ray;
+}
+
 void compare(const Witness& witness, double scale, int rays) {
   const std::shared_ptr<const Shape> shape = witness.shape(scale);
   Random random(42);
   int met = 0;
   for (int i = 0; i < rays; ++i) {
-    const Ray of_unit{.origin = in_box(random, i % 3 == 0 ? 0.9 : 3), .direction = glm::dvec3(0)};
-    Ray ray = of_unit;
-    ray.direction = glm::normalize(in_box(random, 0.9) - ray.origin);
+    const Ray ray = some_ray(random, i);
     // As the shape sees it: larger, and with a direction of some other length.
     const double stretch = uniform(random, 0.1, 10);
     const std::optional<ShapeHit> hit = shape->intersect({.origin = scale * ray.origin, .direction = stretch * ray.direction});
@@ -213,6 +226,69 @@ TEST_CASE("shapes: points of every shape are on it, in its box, with the functio
         if (near_edge < 1e-3 && glm::length(slope) > 0.05) CHECK(glm::length(glm::normalize(slope) - point.normal) < 1e-4);
       }
     }
+}
+
+TEST_CASE("shapes: what is far away is met as exactly as its distance can be told", "[ray_tracer][A42][Y4]") {
+  for (const Witness& witness : witnesses()) {
+    INFO(witness.name);
+    const std::shared_ptr<const Shape> shape = witness.shape(1);
+    Random random(44);
+    int met = 0;
+    for (int i = 0; i < 2000; ++i) {
+      const Ray near_by = some_ray(random, 3 * i + 1);
+      const double distance = std::pow(10, uniform(random, 1, 6));
+      const Ray far_away{.origin = near_by.origin - distance * near_by.direction, .direction = near_by.direction};
+      const Walk expected = walk(witness, near_by, 9);
+      const std::optional<ShapeHit> hit = shape->intersect(far_away), before = shape->intersect(near_by);
+      // What lies behind the near ray is before the far one, and what touches may be met by one of them only.
+      if (!expected.t || !hit || !before || hit->t < distance) continue;
+      const double slope = std::abs(witness.field(near_by.at(*expected.t + 1e-6)) - witness.field(near_by.at(*expected.t - 1e-6))) / 2e-6;
+      if (slope < 0.05) continue;
+      CHECK(std::abs(hit->t - distance - before->t) < 1e-13 * distance / slope);
+      CHECK(std::abs(witness.field(shape->surface(far_away, *hit).position)) < 1e-14);
+      ++met;
+    }
+    CHECK(met > 60);
+  }
+}
+
+TEST_CASE("shapes: from inside a solid every ray meets it, at edges, rims and tips, too", "[ray_tracer][Y1][C42]") {
+  Random random(45);
+  for (const double scale : kScales) {
+    const std::vector<std::shared_ptr<const Shape>> solids{std::make_shared<Cuboid>(glm::dvec3(2 * scale)), std::make_shared<Cylinder>(scale, 2 * scale),
+                                                           std::make_shared<Cone>(scale, 2 * scale), *Polyhedron::create(octahedron(scale))};
+    for (std::size_t number = 0; number < solids.size(); ++number)
+      for (int i = 0; i < 20000; ++i) {
+        // Corners and edges of the cube, rims of the others, tips, and points of the octahedron's edges.
+        const double angle = uniform(random, 0, 7), along = uniform(random, -1, 1);
+        const glm::dvec3 rim(std::cos(angle), i % 2 == 0 ? -1 : 1, std::sin(angle)), tip(0, 1, 0), edge(along, i % 2 == 0 ? 1 : -1, i % 4 == 0 ? 1 : -1);
+        const glm::dvec3 ridge(1 - std::abs(along), 0, along);
+        const glm::dvec3 target = number == 0 ? edge : number == 1 ? rim : number == 2 ? (i % 2 == 0 ? rim : tip) : ridge;
+        const glm::dvec3 eye = scale * (in_box(random, 0.15) - glm::dvec3(0, 0.2, 0));
+        const Ray ray{.origin = eye, .direction = scale * target - eye};
+        INFO("solid " << number << " at the scale " << scale << ", ray " << i);
+        const std::optional<ShapeHit> hit = solids[number]->intersect(ray);
+        REQUIRE(hit);
+        CHECK(hit->t == Approx(1).epsilon(1e-12));
+      }
+  }
+}
+
+TEST_CASE("shapes: the tip of a cone has no hole", "[ray_tracer][A42]") {
+  // From above, steeper than the side, through the tip and past it by anything down to nothing.
+  for (const double scale : kScales) {
+    const Cone cone(scale, 2 * scale);
+    Random random(46);
+    for (int i = 0; i < 20000; ++i) {
+      const double angle = uniform(random, 0, 7), past = i % 10 == 0 ? 0 : std::pow(10, -uniform(random, 3, 17)), lean = uniform(random, 0, 0.2);
+      const glm::dvec3 target = scale * glm::dvec3(past * std::cos(angle), 1, past * std::sin(angle));
+      const glm::dvec3 eye = target + scale * glm::dvec3(lean * uniform(random, -1, 1), 1, lean * uniform(random, -1, 1));
+      const std::optional<ShapeHit> hit = cone.intersect({.origin = eye, .direction = target - eye});
+      REQUIRE(hit);
+      CHECK(hit->face == 0);
+      CHECK(std::abs(hit->t - 1) < 5 * past + 1e-14);
+    }
+  }
 }
 
 TEST_CASE("shapes: sizes that are none and rays that are none meet nothing", "[ray_tracer][A42][case-65]") {

@@ -77,7 +77,7 @@ std::optional<ShapeHit> Quadric::intersect(const Ray& ray) const noexcept {
   if (roots.count == 0 || (roots.count == 2 && roots.first == roots.second)) return std::nullopt;
 
   // A little more than the box, so that what just fits in it has no holes where rounding puts points beyond.
-  const double margin = 1e-12 * size_;
+  const double margin = 1e-13 * size_;
   for (const double s : {roots.first, roots.second}) {
     const double t = line.t_of(s);
     const glm::dvec3 at = centre_ + line.at(s);

@@ -15,11 +15,13 @@ std::optional<ShapeHit> RoundShape::intersect(const Ray& ray) const noexcept {
   std::optional<Crossing> crossing = cross_side(ray);
   if (!crossing) return std::nullopt;
   if (!capped_) {
-    for (const double t : {crossing->enter, crossing->leave})
-      if (is_within(ray, t) && std::abs(ray.origin.y + t * ray.direction.y) <= half_) return ShapeHit{.t = t};
+    for (const double t : {crossing->enter, crossing->leave}) {
+      const double y = ray.origin.y + t * ray.direction.y;
+      if (is_within(ray, t) && y >= -half_ && (ends_in_tip_ || y <= half_)) return ShapeHit{.t = t};
+    }
     return std::nullopt;
   }
-  crossing->cut(ray.origin.y - half_, ray.direction.y, 1);
+  if (!ends_in_tip_) crossing->cut(ray.origin.y - half_, ray.direction.y, 1);
   crossing->cut(-ray.origin.y - half_, -ray.direction.y, 2);
   return first_end(*crossing, ray);
 }
@@ -51,13 +53,12 @@ SurfacePoint Cylinder::side_surface(const glm::dvec3& near_surface) const noexce
 }
 
 std::optional<Crossing> Cone::cross_side(const Ray& ray) const noexcept {
-  const CentredLine line(ray);
+  const CentredLine line(ray, {0, half_, 0});
   const glm::dvec3 &o = line.origin, &d = line.direction;
-  // rho^2 = (k below)^2, rho the distance from the axis and below the way down from the tip.
-  const double k = 0.5 * radius_ / half_, below = half_ - o.y;
-  const double across = std::hypot(d.x, d.z), rho = std::hypot(o.x, o.z);
-  const double a = (across - k * d.y) * (across + k * d.y), b = 2 * (o.x * d.x + o.z * d.z + k * k * below * d.y);
-  const double c = (rho - k * below) * (rho + k * below);
+  // rho^2 = (k y)^2, rho the distance from the axis and y the height, both from the tip, where o and d are perpendicular.
+  const double k = 0.5 * radius_ / half_, across = std::hypot(d.x, d.z), rho = std::hypot(o.x, o.z);
+  const double a = (across - k * d.y) * (across + k * d.y), b = 2 * (o.x * d.x + o.z * d.z - k * k * o.y * d.y);
+  const double c = (rho - k * o.y) * (rho + k * o.y);
   QuadraticRoots roots = solve_quadratic(a, b, c);
   if (roots.count == 0 && a < 0) roots = {.count = 2, .first = -0.5 * b / a, .second = -0.5 * b / a};  // through the tip, but for rounding
   if (roots.count == 0) return std::nullopt;
@@ -65,7 +66,7 @@ std::optional<Crossing> Cone::cross_side(const Ray& ray) const noexcept {
   Crossing crossing;
   if (a > 0) {
     // Flatter than the side: through one half of the double cone, the lower one or its mirror image above the tip.
-    if (!(below - 0.5 * (roots.first + roots.second) * d.y > 0) || roots.first == roots.second) return std::nullopt;
+    if (!(o.y + 0.5 * (roots.first + roots.second) * d.y < 0) || roots.first == roots.second) return std::nullopt;
     crossing = {.enter = line.t_of(roots.first), .leave = line.t_of(roots.second)};
   } else if (a < 0 || (b < 0) == (d.y < 0)) {
     // Steeper: through both, and the part below has no lower end.

@@ -11,7 +11,9 @@ namespace tuberia::tracer {
 /// lie between the caps' heights. Radius and height have to be positive, or nothing meets them.
 class RoundShape : public Shape {
  public:
-  RoundShape(double radius, double height, bool capped) noexcept : radius_(radius), half_(0.5 * height), capped_(capped) {}
+  /// ends_in_tip: the side ends by itself at the upper height.
+  RoundShape(double radius, double height, bool capped, bool ends_in_tip) noexcept
+      : radius_(radius), half_(0.5 * height), capped_(capped), ends_in_tip_(ends_in_tip) {}
   std::optional<ShapeHit> intersect(const Ray& ray) const noexcept final;
   SurfacePoint surface(const Ray& ray, const ShapeHit& hit) const noexcept final;
   Box bounds() const noexcept final { return {{-radius_, -half_, -radius_}, {radius_, half_, radius_}}; }
@@ -25,13 +27,13 @@ class RoundShape : public Shape {
   double radius_, half_;  // half_: of the height
 
  private:
-  bool capped_;
+  bool capped_, ends_in_tip_;
 };
 
 /// As cylinder_mesh: u around the axis, v from the upper rim down. A tangent is a miss, as of a sphere.
 class Cylinder final : public RoundShape {
  public:
-  explicit Cylinder(double radius = 1, double height = 2, bool capped = true) noexcept : RoundShape(radius, height, capped) {}
+  explicit Cylinder(double radius = 1, double height = 2, bool capped = true) noexcept : RoundShape(radius, height, capped, false) {}
 
  private:
   std::optional<Crossing> cross_side(const Ray& ray) const noexcept override;
@@ -41,7 +43,7 @@ class Cylinder final : public RoundShape {
 /// Its tip is up. As cone_mesh: u around the axis, v from the tip down; the tip itself has the u and the normal of the meridian through +x.
 class Cone final : public RoundShape {
  public:
-  explicit Cone(double radius = 1, double height = 2, bool capped = true) noexcept : RoundShape(radius, height, capped) {}
+  explicit Cone(double radius = 1, double height = 2, bool capped = true) noexcept : RoundShape(radius, height, capped, true) {}
 
  private:
   std::optional<Crossing> cross_side(const Ray& ray) const noexcept override;
