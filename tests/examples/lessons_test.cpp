@@ -133,4 +133,14 @@ TEST_CASE("lesson 9: the teapot with all of it", "[examples][A36]") {
   CHECK(colours_between(image, 0, 960).size() > 10000);
 }
 
+TEST_CASE("lesson 10: rays see shadows, mirrors and glass", "[examples][A41]") {
+  const auto image = picture_of_lesson("10_a_ray_tracer_in_a_page", "a_ray_tracer_in_a_page.png");
+  const auto bluish = [](const Rgba8& pixel) { return pixel.b - pixel.r; };
+  CHECK(bluish(image.at(170, 125)) > 15);  // the mirror shows the sky above
+  CHECK(bluish(image.at(320, 300)) > 5);   // and the glass ball, which turns everything round, the sky below
+  CHECK(image.at(500, 240).r > image.at(500, 240).b + 50);  // the ring
+  // A dark square of the floor in the shadow of the glass ball, and one in the light.
+  CHECK(3 * brightness(image.at(410, 300)) < 2 * brightness(image.at(60, 350)));
+}
+
 }  // namespace tuberia
