@@ -133,7 +133,7 @@ TEST_CASE("lesson 9: the teapot with all of it", "[examples][A36]") {
   CHECK(colours_between(image, 0, 960).size() > 10000);
 }
 
-TEST_CASE("lesson 10: rays see shadows, mirrors and glass", "[examples][A41]") {
+TEST_CASE("lesson 10: rays see shadows, mirrors and glass", "[examples]") {
   const auto image = picture_of_lesson("10_a_ray_tracer_in_a_page", "a_ray_tracer_in_a_page.png");
   const auto bluish = [](const Rgba8& pixel) { return pixel.b - pixel.r; };
   CHECK(bluish(image.at(170, 125)) > 15);  // the mirror shows the sky above
