@@ -8,6 +8,7 @@
 
 #include "examples/tuberia/render_model.hpp"
 #include "image/read_image.hpp"
+#include "scene/description/check_scene.hpp"
 #include "scene/description/read_scene.hpp"
 #include "scene/load_model.hpp"
 #include "tests/fuzz/targets.hpp"
@@ -79,6 +80,7 @@ std::string try_scene(Input bytes) {
   if (!scene) return is_one_line(scene.error().message) ? "" : "an error of several lines: " + scene.error().message;
   const auto again = scene_from_json(json_of_scene(*scene), "again.json");
   if (!again) return "a scene that was read cannot be read again: " + again.error().message;
+  if (const auto checked = check_scene(*scene); !checked) return "a scene that was read is said to be out of range: " + checked.error().message;
   return *again == *scene ? "" : "a scene changes when it is written and read";
 }
 
