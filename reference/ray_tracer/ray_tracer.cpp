@@ -8,8 +8,6 @@
 namespace tuberia::tracer {
 namespace {
 
-// A hit is off its surface by some last bits of the numbers it was computed from; these are a good deal more.
-constexpr double kToleranceOfSize = 1e-10, kToleranceOfDistance = 1e-15;
 // Beyond these refractive indices nothing changes that could be seen, and squares of their ratio stay far from infinity.
 constexpr double kLeastIndex = 1e-6, kMostIndex = 1e6;
 
@@ -51,17 +49,19 @@ struct Seen {
 };
 
 /// One eye ray and all that it spawns.
-class Tracing {
- public:
-  Tracing(const TracedScene& scene, const TraceSettings& settings, TraceScratch& scratch, RayTree* tree, const NeighbourRays* neighbours)
-      : scene_(scene), settings_(settings), scratch_(scratch), tree_(tree), neighbours_(neighbours) {}
+struct Tracing {
+  const TracedScene& scene;
+  const TraceSettings& settings;
+  TraceScratch& scratch;
+  RayTree* tree;
+  const NeighbourRays* neighbours;
 
   /// RayTracing(o, u, n): the light along a ray, and straight on behind holes and what is not opaque.                  [A 2.3]
   glm::dvec3 ray_tracing(Branch branch) {
     const bool is_of_eye = branch.kind == RayKind::eye;
     glm::dvec3 light(0);
     for (double through = 1; through > 0;) {
-      if (tree_) branch.node = tree_->add(branch.kind, branch.parent, branch.level, branch.weight, branch.ray);
+      if (tree) branch.node = tree->add(branch.kind, branch.parent, branch.level, branch.weight, branch.ray);
       const Seen seen = see(branch, is_of_eye);
       light += through * seen.light;
       through *= seen.through;
@@ -73,30 +73,30 @@ class Tracing {
     return light;
   }
 
-  Hit nearest(const Ray& ray, std::int64_t skipped_item = -1) {
-    Hit hit = scene_.accelerator().nearest(ray, scratch_.traversal);
-    for (Ray beyond = ray; hit && hit.item == skipped_item; hit = scene_.accelerator().nearest(beyond, scratch_.traversal)) beyond.t_min = hit.t;
+  Hit nearest(const Ray& ray, std::int64_t skipped_item) {
+    Hit hit = scene.accelerator().nearest(ray, scratch.traversal);
+    for (Ray beyond = ray; hit && hit.item == skipped_item; hit = scene.accelerator().nearest(beyond, scratch.traversal)) beyond.t_min = hit.t;
     return hit;
   }
 
- private:
+  /// One piece of it, up to the first surface.
   Seen see(const Branch& branch, bool is_of_eye) {
     Seen seen;
     const auto ended = [&](RayEnd why, const glm::dvec3& light) {
-      if (tree_) tree_->end(branch.node, why, light);
+      if (tree) tree->end(branch.node, why, light);
       return seen.light = light, seen;
     };
-    if (branch.level > settings_.most_level) return ended(RayEnd::level, glm::dvec3(0));
-    if (largest(branch.weight) < settings_.least_weight) return ended(RayEnd::weight, glm::dvec3(0));
-    if (scratch_.rays_of_this_eye_ray >= settings_.most_rays) return ++scratch_.unfollowed_rays, ended(RayEnd::budget, glm::dvec3(0));
-    ++scratch_.rays_of_this_eye_ray;
-    scratch_.reflected_rays += branch.kind == RayKind::reflected;
-    scratch_.transmitted_rays += branch.kind == RayKind::transmitted;
+    if (branch.level > settings.most_level) return ended(RayEnd::level, glm::dvec3(0));
+    if (largest(branch.weight) < settings.least_weight) return ended(RayEnd::weight, glm::dvec3(0));
+    if (scratch.rays_of_this_eye_ray >= settings.most_rays) return ++scratch.unfollowed_rays, ended(RayEnd::budget, glm::dvec3(0));
+    ++scratch.rays_of_this_eye_ray;
+    scratch.reflected_rays += branch.kind == RayKind::reflected;
+    scratch.transmitted_rays += branch.kind == RayKind::transmitted;
 
     const Hit hit = nearest(branch.ray, branch.skipped_item);
-    if (!hit) return ended(RayEnd::escaped, scene_.background(branch.ray.direction, is_of_eye));
+    if (!hit) return ended(RayEnd::escaped, scene.background(branch.ray.direction, is_of_eye));
     const Meeting m = meet(branch.ray, hit, is_of_eye);
-    if (tree_) tree_->meet(branch.node, scene_.description().objects[static_cast<std::size_t>(scene_.object_of(hit.item))].name, hit.t, m.at.position);
+    if (tree) tree->meet(branch.node, scene.description().objects[static_cast<std::size_t>(scene.object_of(hit.item))].name, hit.t, m.at.position);
     seen.t = hit.t;
     seen.through = m.material.is_cut_out ? 1 : 1 - m.material.alpha;
     if (m.material.is_cut_out) return ended(RayEnd::branched, glm::dvec3(0));
@@ -106,11 +106,11 @@ class Tracing {
   }
 
   Meeting meet(const Ray& ray, const Hit& hit, bool is_of_eye) const {
-    Meeting m{.hit = hit, .at = scene_.geometry().surface(ray, hit), .material = {}, .V = -glm::normalize(ray.direction), .is_inside = false, .facing = {}};
-    m.material = scene_.material(hit.item, m.at, is_of_eye && neighbours_ ? footprint_of(m.at, *neighbours_) : TextureFootprint{});
-    m.is_inside = glm::dot(m.at.geometric_normal, m.V) < 0;
-    m.facing = m.is_inside ? -m.at.geometric_normal : m.at.geometric_normal;
-    return m;
+    const SurfacePoint at = scene.geometry().surface(ray, hit);
+    const glm::dvec3 V = -glm::normalize(ray.direction);
+    const bool is_inside = glm::dot(at.geometric_normal, V) < 0;
+    return {.hit = hit, .at = at, .material = scene.material(hit.item, at, is_of_eye && neighbours ? footprint_of(at, *neighbours) : TextureFootprint{}), .V = V, .is_inside = is_inside,
+            .facing = is_inside ? -at.geometric_normal : at.geometric_normal};
   }
 
   /// I = local model + kr Ir + kt It, the last two once, outside the sum over the lights.                     [B 5-2] [FIX 18]
@@ -136,17 +136,15 @@ class Tracing {
   /// ka Ia + sum of V(p, q_i) Ip_i [kd (N.L_i) + ks ...].                                                    [B 5-2] [A 2.2]
   glm::dvec3 local_model(const Meeting& m, const Branch& branch) {
     const ReflectionConstants& constants = m.material.reflection;
-    const bool transmits = largest(m.material.transmitted) > 0;
-    const bool is_turned = transmits ? m.is_inside : m.material.two_sided && glm::dot(m.at.normal, m.V) < 0;
+    const bool is_turned = largest(m.material.transmitted) > 0 ? m.is_inside : m.material.two_sided && glm::dot(m.at.normal, m.V) < 0;
     const glm::dvec3 N = is_turned ? -m.material.normal : m.material.normal;
-    glm::dvec3 I = glm::dvec3(constants.ambient) * scene_.ambient();
-    scratch_.lights.clear();
-    scene_.lights(m.at.position, scratch_.lights);
-    int number = 0;
-    for (const TracedLight& light : scratch_.lights) {
-      ++number;
-      if (!(glm::dot(N, light.to_light) > 0)) continue;
-      const glm::dvec3 V = visibility(m, light, number, branch);
+    glm::dvec3 I = glm::dvec3(constants.ambient) * scene.ambient();
+    scratch.lights.clear();
+    scene.lights(m.at.position, scratch.lights);
+    for (std::size_t i = 0; i < scratch.lights.size(); ++i) {
+      const TracedLight& light = scratch.lights[i];
+      if (!(glm::dot(N, light.to_light) > 0 && largest(light.intensity) > 0)) continue;
+      const glm::dvec3 V = visibility(m, light, static_cast<int>(i) + 1, branch);
       if (largest(V) > 0) I += V * light.intensity * reflected_share(constants, {.normal = N, .to_light = light.to_light, .to_eye = m.V});
     }
     return I;
@@ -154,74 +152,45 @@ class Tracing {
 
   /// V(p, q_i): what arrives of a light through all that is nearer than it.                                   [A 2.2] [B 5.4]
   glm::dvec3 visibility(const Meeting& m, const TracedLight& light, int number, const Branch& branch) {
-    if (!light.casts_shadows && !settings_.shadows_of_all) return glm::dvec3(1);
-    ++scratch_.shadow_rays;
+    if (!light.casts_shadows && !settings.shadows_of_all) return glm::dvec3(1);
+    ++scratch.shadow_rays;
     Branch shadow = leaving(m, light.to_light, RayKind::shadow, glm::dvec3(1), branch);
-    shadow.ray.t_max = light.distance - tolerance_at(m);
-    const bool is_simple = scene_.has_only_opaque_casters() && shadow.skipped_item < 0;
-    const glm::dvec3 share = is_simple ? glm::dvec3(scene_.accelerator().any(shadow.ray, scratch_.traversal) ? 0 : 1) : share_through(shadow);
-    if (tree_) {
-      const int index = tree_->add(RayKind::shadow, branch.node, branch.level, branch.weight, shadow.ray, number);
-      tree_->end(index, largest(share) > 0 ? RayEnd::lit : RayEnd::blocked, share);
+    shadow.ray.t_max = light.distance - safe_offset(m.at);
+    const bool is_simple = scene.has_only_opaque_casters() && shadow.skipped_item < 0;
+    const glm::dvec3 share = is_simple ? glm::dvec3(scene.accelerator().any(shadow.ray, scratch.traversal) ? 0 : 1) : share_through(m, shadow);
+    if (tree) {
+      const int index = tree->add(RayKind::shadow, branch.node, branch.level, branch.weight, shadow.ray, number);
+      tree->end(index, largest(share) > 0 ? RayEnd::lit : RayEnd::blocked, share);
     }
     return share;
   }
 
   /// 0 behind anything opaque; what transmits takes its part and bends nothing.                               [B 5.9, Fig 50]
-  glm::dvec3 share_through(const Branch& shadow) {
+  glm::dvec3 share_through(const Meeting& m, const Branch& shadow) {
     glm::dvec3 share(1);
     Ray ray = shadow.ray;
-    scratch_.bodies.clear();
-    for (Hit hit = nearest(ray, shadow.skipped_item); hit && largest(share) > 0; hit = nearest(ray, shadow.skipped_item)) {
+    scratch.bodies.clear();
+    const bool starts_inside = glm::dot(ray.direction, m.at.geometric_normal) < 0 && largest(m.material.transmitted) > 0;
+    if (starts_inside && scene.casts_shadow(m.hit.item)) share = scratch.bodies.share(m.material, scene.object_of(m.hit.item), 0, true);
+    while (const Hit hit = nearest(ray, shadow.skipped_item)) {
       ray.t_min = hit.t;
-      if (!scene_.casts_shadow(hit.item)) continue;
-      if (!scene_.lets_light_through(hit.item)) return glm::dvec3(0);
-      const SurfacePoint at = scene_.geometry().surface(ray, hit);
-      const PointMaterial material = scene_.material(hit.item, at);
+      if (!scene.casts_shadow(hit.item)) continue;
+      if (!scene.lets_light_through(hit.item) || !(largest(share) > 0)) return glm::dvec3(0);
+      const SurfacePoint at = scene.geometry().surface(ray, hit);
+      const PointMaterial material = scene.material(hit.item, at);
       if (material.is_cut_out) continue;
-      share *= (1 - material.alpha) + material.alpha * share_of_body(material, scene_.object_of(hit.item), hit.t, glm::dot(ray.direction, at.geometric_normal) < 0);
+      const bool comes_in = glm::dot(ray.direction, at.geometric_normal) < 0;
+      share *= (1 - material.alpha) + material.alpha * scratch.bodies.share(material, scene.object_of(hit.item), hit.t, comes_in);
     }
     return share;
   }
 
-  /// kt where light comes in, or goes out of a body that it started in; the path's part where it goes out.
-  glm::dvec3 share_of_body(const PointMaterial& material, int object, double t, bool comes_in) {
-    if (comes_in) return scratch_.bodies.emplace_back(object, t), material.transmitted;
-    const auto entry = std::find_if(scratch_.bodies.rbegin(), scratch_.bodies.rend(), [&](const auto& body) { return body.first == object; });
-    if (entry == scratch_.bodies.rend()) return material.transmitted * std::exp(-material.shadow_density * t);
-    const double path = t - entry->second;
-    scratch_.bodies.erase(std::next(entry).base());
-    return glm::dvec3(std::exp(-material.shadow_density * path));
-  }
-
-  double tolerance_at(const Meeting& m) const {
-    if (settings_.tolerance > 0) return settings_.tolerance;
-    // The numbers that the hit was computed from: the point's, and those of what was hit, if they end anywhere.
-    const Box box = scene_.geometry().bounds(m.hit.item);
-    double size = 0;
-    for (int i = 0; i < 3; ++i)
-      for (const double number : {m.at.position[i], box.lower[i], box.upper[i]})
-        if (std::isfinite(number)) size = std::max(size, std::abs(number));
-    return kToleranceOfSize * size + kToleranceOfDistance * m.hit.t;
-  }
-
-  /// A ray from p, with what the remedy does for it. The origin moves along the normal rather than along the ray, so that
-  /// the ray is clear of the surface however obliquely it leaves.                                                     [B 5.4]
   Branch leaving(const Meeting& m, const glm::dvec3& direction, RayKind kind, const glm::dvec3& coefficient, const Branch& from) const {
-    Branch branch{.ray = {.origin = m.at.position, .direction = direction}, .kind = kind, .level = from.level + 1, .parent = from.node, .weight = m.material.alpha * coefficient * from.weight};
-    const double side = glm::dot(direction, m.at.geometric_normal);
-    const bool is_skipped = settings_.remedy == AcneRemedy::skip_convex && side >= 0 && scene_.geometry().is_convex(m.hit.item);
-    if (is_skipped) branch.skipped_item = m.hit.item;
-    else if (settings_.remedy == AcneRemedy::moved_origin) branch.ray.origin += (side < 0 ? -tolerance_at(m) : tolerance_at(m)) * m.at.geometric_normal;
-    else if (settings_.remedy != AcneRemedy::none) branch.ray.t_min = tolerance_at(m);
-    return branch;
+    const Departure start = departure(m.at, direction, scene.geometry().is_convex(m.hit.item), settings.remedy, settings.tolerance);
+    return {.ray = start.ray, .kind = kind, .level = from.level + 1, .parent = from.node, .weight = m.material.alpha * coefficient * from.weight,
+            .skipped_item = start.skips_surface ? m.hit.item : -1};
   }
 
-  const TracedScene& scene_;
-  const TraceSettings& settings_;
-  TraceScratch& scratch_;
-  RayTree* tree_;
-  const NeighbourRays* neighbours_;
 };
 
 }  // namespace
@@ -230,7 +199,7 @@ glm::dvec3 RayTracer::radiance(const Ray& ray, TraceScratch& scratch, RayTree* t
   scratch.rays_of_this_eye_ray = 0;
   if (tree) tree->clear();
   if (!is_sound(ray)) return glm::dvec3(0);
-  return Tracing(scene_, settings_, scratch, tree, neighbours).ray_tracing({.ray = ray});
+  return Tracing{scene_, settings_, scratch, tree, neighbours}.ray_tracing({.ray = ray});
 }
 
 Hit RayTracer::first_hit(const Ray& ray, TraceScratch& scratch) const {

@@ -2,18 +2,15 @@
 // Whitted's algorithm as the notes tell it.                              [A 2.3] [B 5.1-5.6] [Whitted]
 
 #include <cstdint>
-#include <utility>
 
+#include "reference/ray_tracer/acne.hpp"
 #include "reference/ray_tracer/footprint.hpp"
+#include "reference/ray_tracer/straight_light.hpp"
 #include "reference/ray_tracer/traced_scene.hpp"
 
 namespace tuberia::tracer {
 
 class RayTree;
-
-/// Against surfaces that shadow themselves because a hit is never quite on them [B 5.4]: t must be above a tolerance; or
-/// the ray starts a little off the surface; or what is convex is left out of its own rays. none: to see why.
-enum class AcneRemedy : std::uint8_t { moved_origin, tolerance, skip_convex, none };
 
 struct TraceSettings {
   int most_level = 5;             // eye rays are level 0; rays beyond it are not followed: black  [B 5.5]
@@ -28,7 +25,7 @@ struct TraceSettings {
 struct TraceScratch {
   Traversal traversal;
   std::vector<TracedLight> lights;
-  std::vector<std::pair<int, double>> bodies;  // that a shadow ray is inside of, and where it came in
+  BodiesOnTheWay bodies;
   std::int64_t reflected_rays = 0, transmitted_rays = 0, shadow_rays = 0;
   std::int64_t unfollowed_rays = 0;            // for want of most_rays
   std::int64_t rays_of_this_eye_ray = 0;

@@ -10,7 +10,7 @@ namespace tuberia::tracer {
 namespace {
 
 // Pixels.
-constexpr double kColumn = 148, kRow = 130, kBoxWidth = 136, kBoxHeight = 76, kMargin = 20, kLine = 16;
+constexpr double kColumn = 192, kRow = 130, kBoxWidth = 180, kBoxHeight = 76, kMargin = 20, kLine = 16;
 constexpr std::size_t kMostLetters = 20;  // of an object's name in a box
 
 struct Place {

@@ -19,6 +19,7 @@ TracedPicture render(const RayTracer& tracer, const View& view, int width, int h
     picture.counts.reflected_rays += of_worker.reflected_rays;
     picture.counts.transmitted_rays += of_worker.transmitted_rays;
     picture.counts.shadow_rays += of_worker.shadow_rays;
+    picture.counts.unfollowed_rays += of_worker.unfollowed_rays;
     picture.counts.work += of_worker.traversal.work;
   }
   return picture;

@@ -8,7 +8,7 @@
 namespace tuberia::tracer {
 
 struct TraceCounts {
-  std::int64_t eye_rays = 0, reflected_rays = 0, transmitted_rays = 0, shadow_rays = 0;
+  std::int64_t eye_rays = 0, reflected_rays = 0, transmitted_rays = 0, shadow_rays = 0, unfollowed_rays = 0;
   TraversalWork work;
 };
 

@@ -1,0 +1,125 @@
+// Surfaces that must not shadow themselves, and light that goes through glass.
+
+#include <cmath>
+
+#include "tests/ray_tracer/whitted_scenes.hpp"
+
+namespace tuberia::tracer {
+namespace {
+
+/// A ball and a tilted cube side by side, neither in the other's light, anywhere and of any size.
+TracedScene convex_pair(double scale, double distance) {
+  const auto placed = [&](double x, const char* turned) {
+    return whitted_text(R"(, "transforms": [)", turned, R"({"scale": [)", scale, ",", scale, ",", scale, R"(]}, {"translate": [)", x * scale + distance, ",", distance, ",0]}]}");
+  };
+  return whitted_scene(whitted_text(R"({"ambient": 0, "lights": [{"type": "directional", "towards": [0, 1, 2], "shadow": {}}], "materials": {"white": {"model": "lambert", "diffuse": 1}},
+    "objects": [{"shape": {"type": "sphere"}, "material": "white")", placed(-2, ""), R"(,{"shape": {"type": "cube"}, "material": "white")",
+                                    placed(2, R"({"rotate": 40, "about": [1, 2, 3]}, )"), "]}"));
+}
+
+/// Points that face the light and are dark, and those that are lit, seen from the side of the light.
+std::pair<int, int> speckles(const TracedScene& scene, double scale, double distance, const TraceSettings& settings) {
+  const RayTracer tracer(scene, settings);
+  TraceScratch scratch;
+  const glm::dvec3 light = glm::normalize(glm::dvec3(0, 1, 2));
+  int dark = 0, lit = 0;
+  for (int y = 0; y < 60; ++y)
+    for (int x = 0; x < 120; ++x) {
+      const glm::dvec3 through(scale * (-4 + (x + 0.5) / 15) + distance, scale * (-2 + (y + 0.5) / 15) + distance, 0);
+      const Ray ray = whitted_towards(through + scale * glm::dvec3(0.3, 0.4, 8), through);
+      const Hit hit = tracer.first_hit(ray, scratch);
+      if (!hit) continue;
+      const double cosine = glm::dot(scene.geometry().surface(ray, hit).normal, light);
+      // Where light grazes, a point's last bits decide which side of the light it is on.
+      if (cosine < 1e-4) continue;
+      ++(tracer.radiance(ray, scratch).x > 0.5 * cosine ? lit : dark);
+    }
+  return {dark, lit};
+}
+
+}  // namespace
+
+TEST_CASE("ray tracer: no remedy, and surfaces shadow themselves in speckles; each remedy, and none does", "[ray_tracer][B59]") {
+  const TracedScene scene = convex_pair(1, 0);
+  const auto [dark, lit] = speckles(scene, 1, 0, {.remedy = AcneRemedy::none});
+  CHECK(dark > 100);
+  CHECK(lit > 100);
+  for (const AcneRemedy remedy : {AcneRemedy::moved_origin, AcneRemedy::tolerance, AcneRemedy::skip_convex}) {
+    CAPTURE(static_cast<int>(remedy));
+    CHECK(speckles(scene, 1, 0, {.remedy = remedy}).first == 0);
+    CHECK(speckles(scene, 1, 0, {.remedy = remedy, .tolerance = 1e-5}).first == 0);  // the notes'
+  }
+}
+
+TEST_CASE("ray tracer: no surface shadows itself at any size, anywhere", "[ray_tracer][B59]") {
+  for (const double scale : {1e-3, 1.0, 1e3, 1e6})
+    for (const double distance : {0.0, 100 * scale, -3e4 * scale}) {
+      CAPTURE(scale, distance);
+      const TracedScene scene = convex_pair(scale, distance);
+      const auto [dark, lit] = speckles(scene, scale, distance, {});
+      CHECK(dark == 0);
+      CHECK(lit > 1000);
+    }
+}
+
+TEST_CASE("ray tracer: a ring is shadowed by itself only where it stands in its own light", "[ray_tracer][B59]") {
+  // Seen from the light, a torus is lit wherever it is seen.
+  const TracedScene scene = whitted_scene(R"({"ambient": 0, "lights": [{"type": "directional", "towards": [0.3, 1, 0.5], "shadow": {}}],
+    "materials": {"white": {"model": "lambert", "diffuse": 1}}, "objects": [{"shape": {"type": "torus"}, "material": "white"}]})");
+  const glm::dvec3 light = glm::normalize(glm::dvec3(0.3, 1, 0.5)), across = glm::normalize(glm::cross(light, glm::dvec3(0, 0, 1))), along = glm::cross(light, across);
+  const RayTracer tracer(scene);
+  TraceScratch scratch;
+  int dark = 0, lit = 0;
+  for (int y = -60; y < 60; ++y)
+    for (int x = -60; x < 60; ++x) {
+      const Ray ray{.origin = 6.0 * light + (x + 0.5) / 40 * across + (y + 0.5) / 40 * along, .direction = -light};
+      const Hit hit = tracer.first_hit(ray, scratch);
+      if (hit && glm::dot(scene.geometry().surface(ray, hit).normal, light) > 1e-3) ++(tracer.radiance(ray, scratch).x > 0 ? lit : dark);
+    }
+  CHECK(dark == 0);
+  CHECK(lit > 1000);
+}
+
+TEST_CASE("ray tracer: the shadow of a glass ball is darkest in its middle", "[ray_tracer][B76]") {
+  const TracedScene scene = whitted_scene(R"({"ambient": 0, "lights": [{"type": "directional", "towards": [0, 1, 0], "shadow": {}}],
+    "materials": {"floor": {"model": "lambert", "diffuse": 1}, "glass": {"diffuse": 0, "transmission": [0.9, 0.8, 0.7], "refractive_index": 1.3, "shadow_density": 0.5}},
+    "objects": [{"shape": {"type": "plane", "width": 20, "depth": 20}, "material": "floor"},
+                {"shape": {"type": "sphere"}, "material": "glass", "transforms": [{"translate": [0, 2, 0]}]}]})");
+  const auto floor_at = [&](double radius) { return whitted_ray(scene, whitted_towards({radius + 4, 0.5, 0}, {radius, 0, 0})).light; };
+  double last = 0;
+  for (int i = 0; i < 50; ++i) {
+    const double radius = i / 50.0, path = 2 * std::sqrt(1 - radius * radius);
+    const glm::dvec3 light = floor_at(radius);
+    CAPTURE(radius);
+    CHECK(whitted_is_near(light, glm::dvec3(0.9, 0.8, 0.7) * std::exp(-0.5 * path), 1e-6));
+    CHECK(light.x > last);
+    last = light.x;
+  }
+  CHECK(floor_at(1.001).x == Approx(1));
+}
+
+TEST_CASE("ray tracer: light goes through every body in its way, and out of the one that it shines in", "[ray_tracer][B76]") {
+  const auto scene = [](const char* more) {
+    return whitted_scene(whitted_text(R"({"ambient": 0, "lights": [{"type": "directional", "towards": [0, 1, 0], "shadow": {}}],
+      "materials": {"floor": {"model": "lambert", "diffuse": 1}, "glass": {"model": "lambert", "diffuse": 1, "transmission": 0.5, "refractive_index": 1, "shadow_density": 0.25}, "wood": {"diffuse": 1}, "veil": {"alpha": 0.75}},
+      "objects": [{"shape": {"type": "plane", "width": 20, "depth": 20}, "material": "floor"},
+                  {"name": "ball", "shape": {"type": "sphere"}, "material": "glass", "transforms": [{"translate": [0, 2, 0]}]})", more, "]}"));
+  };
+  const auto floor_of = [&](const char* more) { return whitted_ray(scene(more), whitted_towards({4, 0.5, 0}, {0, 0, 0})).light.x; };
+  const double one = 0.5 * std::exp(-0.25 * 2);
+  CHECK(floor_of("") == Approx(one));
+  CHECK(floor_of(R"(,{"shape": {"type": "sphere"}, "material": "glass", "transforms": [{"translate": [0, 7, 0]}]})") == Approx(one * one));
+  CHECK(floor_of(R"(,{"shape": {"type": "plane"}, "material": "veil", "transforms": [{"translate": [0, 7, 0]}]})") == Approx(one * 0.25));
+  CHECK(floor_of(R"(,{"shape": {"type": "sphere"}, "material": "wood", "transforms": [{"translate": [0, 7, 0]}]})") == 0);
+  // A sheet has no inside: kt alone, from either side.
+  CHECK(floor_of(R"(,{"shape": {"type": "plane"}, "material": "glass", "transforms": [{"translate": [0, 7, 0]}]})") == Approx(one * 0.5));
+
+  // The bottom of the ball is lit from above through all of it: kt once, and the whole path; seen through the top, which takes kt.
+  const WhittedRay inside = whitted_ray(scene(""), {.origin = {0, 5, 0}, .direction = {0, -1, 0}}, {.most_level = 1});
+  const TracedRay* bottom = whitted_named(inside.tree, "T1");
+  REQUIRE(bottom);
+  CHECK(bottom->light.x == Approx(one));
+  CHECK(inside.light.x == Approx(1 + 0.5 * one));
+}
+
+}  // namespace tuberia::tracer
