@@ -22,6 +22,12 @@ struct FrameOptions {
   std::function<void(std::string_view pass)> progress{};  // told before each pass
 };
 
+/// What lies nearest to the observer, pixel by pixel, at the pixels' centres.                    [A 2.1]
+struct NearestObjects {
+  Image<int> objects;   // their index in the scene, -1 where there is none
+  Image<float> depths;  // 0 near .. 1 far, of a d32f buffer
+};
+
 /// A scene with its meshes and textures made ready: those that it shows, and no others.
 class SceneFrame {
  public:
@@ -32,6 +38,10 @@ class SceneFrame {
   /// precision, every instruction set. Errors: what set_material and lights_with_shadows refuse, files of the
   /// environment, targets of impossible size.
   Result<Image<Rgba32F>> draw(Pipeline& pipeline);
+
+  /// The same geometry with the objects' numbers in place of their light, one sample a pixel. What lets light through counts
+  /// as if it were opaque. Errors: targets of impossible size.
+  Result<NearestObjects> nearest_objects(Pipeline& pipeline) const;
 
   const SceneDescription& scene() const noexcept { return scene_; }
   const std::vector<std::string>& warnings() const noexcept { return warnings_; }
