@@ -40,14 +40,11 @@ Result<Camera> perspective_camera(const glm::dvec3& position, const glm::dvec3& 
   return Camera{.eye = position, .point_of_interest = look_at, .up = up, .view = *volume};
 }
 
-/// A spot needs to see what is in its cone only.
 Result<ShadowMap> map_of(Pipeline& pipeline, const description::Light& from, const Light& light, std::span<const DrawCall> casters, const Bounds& seen) {
+  const auto view = shadow_view_of(from, light, seen);
+  if (!view) return view.error();
   const ShadowPass pass{.size = from.shadow->resolution};
-  if (from.kind != Kind::spot) return draw_shadow_map(pipeline, casters, light, seen, pass);
-  const auto camera = perspective_camera(from.position, from.look_at, up_for(from.look_at - from.position), 2 * from.cone_degrees * kRadiansPerDegree, 1, seen);
-  if (!camera) return camera.error();
-  const auto view = light_view(*camera);
-  return view ? draw_shadow_map(pipeline, casters, *view, pass) : view.error();
+  return std::visit([&](const auto& seen_from) { return draw_shadow_map(pipeline, casters, seen_from, pass); }, *view);
 }
 
 Result<ShadowMap> shadow_of(Pipeline& pipeline, const description::Light& from, const Light& light, std::span<const DrawCall> casters, const Bounds& seen) {
@@ -85,7 +82,20 @@ Result<ProjectedTexture> projection_of(const description::Light& light, const Fr
   return projected;
 }
 
+Result<ShadowView> as_shadow_view(const Result<LightView>& view) { return view ? Result<ShadowView>(*view) : view.error(); }
+
 }  // namespace
+
+Result<ShadowView> shadow_view_of(const description::Light& light, const Light& point, const Bounds& seen) {
+  if (light.kind == Kind::spot) {
+    const auto camera = perspective_camera(light.position, light.look_at, up_for(light.look_at - light.position), 2 * light.cone_degrees * kRadiansPerDegree, 1, seen);
+    return camera ? as_shadow_view(light_view(*camera)) : camera.error();
+  }
+  const auto view = light_view(point, seen);
+  if (view || point.kind == Light::Kind::directional) return as_shadow_view(view);
+  const auto cube = light_cube(point, seen);
+  return cube ? Result<ShadowView>(*cube) : cube.error();
+}
 
 Result<std::vector<SurfaceLight>> lights_with_shadows(Pipeline& pipeline, const description::Light& light, std::span<const DrawCall> casters,
                                                       const Bounds& seen, const FrameTextures& textures) {
