@@ -17,6 +17,7 @@ Run add_compare(CLI::App& parent, CLI::App*& command);
 Run add_info(CLI::App& parent, CLI::App*& command);
 Run add_stages(CLI::App& parent, CLI::App*& command);
 Run add_requirements(CLI::App& parent, CLI::App*& command);
+Run add_witness(CLI::App& parent, CLI::App*& command);
 
 /// Prints a one-line error and gives the exit status of failure.
 int fail(const std::string& message);

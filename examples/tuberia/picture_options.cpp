@@ -18,18 +18,6 @@ Choice choice_named(const std::vector<std::string>& names, const std::string& na
   return static_cast<Choice>(std::find(names.begin(), names.end(), name) - names.begin());
 }
 
-/// "1920x1080" to two numbers.
-Result<std::pair<int, int>> parse_size(const std::string& text) {
-  int width = 0, height = 0;
-  const char* end = text.data() + text.size();
-  const auto first = std::from_chars(text.data(), end, width);
-  if (first.ec == std::errc{} && first.ptr != end && *first.ptr == 'x') {
-    const auto second = std::from_chars(first.ptr + 1, end, height);
-    if (second.ec == std::errc{} && second.ptr == end) return std::pair{width, height};
-  }
-  return Error{"--size: '" + text + "' is not a size like 1920x1080"};
-}
-
 Sampler sampler_of(const PictureArguments& arguments) {
   const std::string& filter = arguments.filter;
   Sampler sampler{.max_anisotropy = arguments.anisotropy, .weights = choice_named<FilterWeights>(kFilterWeights, arguments.filter_weights),
@@ -78,6 +66,17 @@ void add_trade_options(CLI::App& command, PictureArguments& arguments) {
 }
 
 }  // namespace
+
+Result<std::pair<int, int>> parse_size(const std::string& text) {
+  int width = 0, height = 0;
+  const char* end = text.data() + text.size();
+  const auto first = std::from_chars(text.data(), end, width);
+  if (first.ec == std::errc{} && first.ptr != end && *first.ptr == 'x') {
+    const auto second = std::from_chars(first.ptr + 1, end, height);
+    if (second.ec == std::errc{} && second.ptr == end) return std::pair{width, height};
+  }
+  return Error{"--size: '" + text + "' is not a size like 1920x1080"};
+}
 
 void add_picture_options(CLI::App& command, PictureArguments& arguments) {
   command.add_option("--size", arguments.size, "WIDTHxHEIGHT in pixels");

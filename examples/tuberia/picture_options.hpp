@@ -4,6 +4,8 @@
 #include "examples/tuberia/render_model.hpp"
 
 #include <CLI/CLI.hpp>
+#include <string>
+#include <utility>
 
 namespace tuberia::cli {
 
@@ -15,6 +17,9 @@ struct PictureArguments {
   std::vector<float> background{0.035f, 0.04f, 0.055f};
   RenderOptions options;  // what needs no translation
 };
+
+/// "1920x1080" to two numbers.
+Result<std::pair<int, int>> parse_size(const std::string& text);
 
 void add_picture_options(CLI::App& command, PictureArguments& arguments);
 

@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_inverse.hpp>
-#include <span>
 
+#include "examples/tuberia/embedded_image.hpp"
 #include "examples/tuberia/heat.hpp"
 #include "examples/tuberia/stage_text.hpp"
 #include "examples/tuberia/stages_page_parts.hpp"
 #include "examples/tuberia/views.hpp"
-#include "image/write_image.hpp"
 
 namespace tuberia::cli {
 namespace {
@@ -18,19 +17,8 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::int64_t kMostTriangles = 4000;  // of the model, seen from outside
 
-std::string base64(std::span<const std::byte> bytes) {
-  constexpr const char* kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string digits;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t group = 0;
-    for (std::size_t k = 0; k < 3; ++k) group = group << 8 | (i + k < bytes.size() ? std::to_integer<std::uint32_t>(bytes[i + k]) : 0u);
-    for (std::size_t k = 0; k < 4; ++k) digits += i + k > bytes.size() ? '=' : kDigits[group >> (18 - 6 * k) & 63u];
-  }
-  return digits;
-}
-
 Json map(const char* title, const Image<Rgba8>& image, std::string legend) {
-  return {{"title", title}, {"legend", std::move(legend)}, {"picture", "data:image/png;base64," + base64(encode_png(image))}};
+  return {{"title", title}, {"legend", std::move(legend)}, {"picture", data_url(image)}};
 }
 
 Json heat_map(const char* title, const Image<float>& values, const char* unit, bool logarithmic) {

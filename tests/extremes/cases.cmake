@@ -16,7 +16,7 @@ foreach(number RANGE 1 57)
 endforeach()
 
 # What the machine cannot do yet: nothing of these. The tracer's half of case 57 (a mirrored frame against reflected
-# rays) waits for the ray tracer, and the furnaces of rule S3 wait for its reflection models.
+# rays) is in tests/tracer_witness; the furnaces of rule S3 wait for the tracer's reflection models.
 set(waiting)
 
 file(GLOB files ${ROOT}/tests/extremes/*_test.cpp)

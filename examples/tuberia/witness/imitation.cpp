@@ -1,0 +1,264 @@
+#include "examples/tuberia/witness/imitation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "scene/frame/frame_lights.hpp"
+
+namespace tuberia::witness {
+namespace {
+
+using tracer::Hit;
+using tracer::Ray;
+using tracer::SurfacePoint;
+using tracer::TraceScratch;
+
+constexpr double kOffSurface = 1e-9;  // of the size of the numbers: where shadow rays begin
+
+/// A box around all triangles.
+Bounds bounds_of(const tracer::Geometry& geometry) {
+  Bounds box;
+  for (std::int64_t item = 0; item < geometry.count(); ++item)
+    if (const auto corners = geometry.triangle(item))
+      for (const glm::dvec3& corner : *corners) box.add(glm::vec3(corner));
+  return box;
+}
+
+glm::dvec3 clamped(const glm::dvec3& light) { return glm::clamp(light, glm::dvec3(0), glm::dvec3(1)); }
+
+double largest(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
+
+/// What a light sends on, without anything in its way.
+glm::dvec3 reflected(const tracer::PointMaterial& material, const glm::dvec3& normal, const glm::dvec3& to_eye, const tracer::TracedLight& light) {
+  if (!(glm::dot(normal, light.to_light) > 0)) return glm::dvec3(0);
+  return light.intensity * reflected_share(material.reflection, {.normal = normal, .to_light = light.to_light, .to_eye = to_eye});
+}
+
+}  // namespace
+
+Result<Imitation> Imitation::create(const tracer::TracedScene& scene, const Camera& camera, const glm::ivec2& size_pixels) {
+  const auto view = tracer::View::create(camera, size_pixels.x, size_pixels.y);
+  if (!view) return view.error();
+  Imitation made(scene, *view, PictureGrid(camera, *basis_of(camera), size_pixels));
+  const SceneDescription& description = scene.description();
+  const Bounds seen = bounds_of(scene.geometry());
+  for (const description::Light& light : description.lights) {
+    const auto points = lights_of(light);
+    if (!points) return points.error();
+    for (const Light& point : *points) {
+      made.intensities_.emplace_back(point.intensity);
+      auto& shadow = made.shadows_.emplace_back();
+      if (!light.shadow) continue;
+      const auto shadow_view = shadow_view_of(light, point, seen);
+      if (!shadow_view) return shadow_view.error();
+      shadow.emplace(*light.shadow, *shadow_view);
+    }
+  }
+  if (description.environment && description.environment->source != description::Environment::Source::rendered) {
+    auto look_up = EnvironmentLookUp::create(description, *description.environment, camera);
+    if (!look_up) return look_up.error();
+    made.environment_ = *std::move(look_up);
+  }
+  return made;
+}
+
+Causes Imitation::techniques_of(const Hit& hit) const {
+  if (!hit) return environment_ && scene_->description().environment->shown ? Causes(Cause::environment_map) : Causes();
+  const SceneDescription& description = scene_->description();
+  const description::Object& object = description.objects[static_cast<std::size_t>(scene_->object_of(hit.item))];
+  if (object.shading != description::Shading::phong) return Cause::vertex_shading;
+  const auto has_map = [](const auto& shadow) { return shadow.has_value(); };
+  Causes causes;
+  if (std::any_of(shadows_.begin(), shadows_.end(), has_map)) causes = causes | Cause::shadow_map;
+  const description::Material* material = material_of(hit);
+  if (material == nullptr) return causes | Cause::mipmap;  // of a model file: its own
+  if (!material->texture.empty() || material->pattern || material->bump) causes = causes | Cause::mipmap;
+  if (material->mirror != glm::vec3(0)) causes = causes | Cause::mirror_of_surroundings;
+  if (material->mirror != glm::vec3(0) && environment_) causes = causes | Cause::environment_map;
+  return causes;
+}
+
+/// Pixel (i, j) of the 2 x 2 block that a place's pixel belongs to, moved as the place is.
+Place Imitation::in_block(const Place& place, int i, int j) const {
+  return {.pixel = glm::ivec2((place.pixel.x & ~1) + i, (place.pixel.y & ~1) + j), .offset = place.offset};
+}
+
+/// A place's point of the triangle that was hit, with its corners on the grid, or of what continues it beyond its edges.
+std::optional<SurfacePoint> Imitation::on_triangle(const Hit& hit, const Place& place) const {
+  const auto corners = scene_->geometry().triangle(hit.item);
+  const auto weights = corners ? grid_.weights_at(*corners, place.at()) : std::nullopt;
+  if (!weights) return std::nullopt;
+  Hit beside = hit;
+  beside.at = *weights;
+  return scene_->geometry().surface(ray(place), beside);
+}
+
+/// By the differences within the block: of its upper left pixel for textures; for patterns, whose width is each fragment's own, to the
+/// other pixel of the same row and column.
+tracer::TextureFootprint Imitation::footprint_in_block(const Place& place, const Hit& hit) const {
+  const glm::ivec2 here = has_pattern(hit) ? glm::ivec2(place.pixel.x & 1, place.pixel.y & 1) : glm::ivec2(0);
+  const auto at = on_triangle(hit, in_block(place, here.x, here.y)), right = on_triangle(hit, in_block(place, 1 - here.x, here.y)), down = on_triangle(hit, in_block(place, here.x, 1 - here.y));
+  if (!at || !right || !down) return {};
+  return {.right = right->texcoord - at->texcoord, .down = down->texcoord - at->texcoord};
+}
+
+/// As the tracer has it.
+tracer::TextureFootprint Imitation::footprint_of_rays(const Place& place, const SurfacePoint& at) const {
+  const auto beside = [&](int x, int y) { return ray({.pixel = place.pixel + glm::ivec2(x, y), .offset = place.offset}); };
+  return tracer::footprint_of(at, {.right = beside(1, 0), .down = beside(0, 1)});
+}
+
+/// Null for the default one, and for those that are named in a model's file.
+const description::Material* Imitation::material_of(const Hit& hit) const {
+  const SceneDescription& description = scene_->description();
+  return find_material(description, description.objects[static_cast<std::size_t>(scene_->object_of(hit.item))].material);
+}
+
+/// A colour that is computed.
+bool Imitation::has_pattern(const Hit& hit) const {
+  const description::Material* material = material_of(hit);
+  return material != nullptr && material->pattern && material->texture.empty();
+}
+
+/// Tangents that take steps of the texture coordinates to steps on the very triangle, not on the surface that it stands for: what
+/// fragments of a block differ by.
+void Imitation::set_triangle_tangents(SurfacePoint& at, const Hit& hit, const Ray& ray) const {
+  const auto corner = [&](const glm::dvec2& weights) {
+    Hit moved = hit;
+    moved.at = weights;
+    return scene_->geometry().surface(ray, moved);
+  };
+  const SurfacePoint a = corner({0, 0}), b = corner({1, 0}), c = corner({0, 1});
+  const glm::dvec3 e1 = b.position - a.position, e2 = c.position - a.position;
+  const glm::dvec2 d1 = b.texcoord - a.texcoord, d2 = c.texcoord - a.texcoord;
+  const double determinant = d1.x * d2.y - d2.x * d1.y;
+  if (determinant == 0) return;
+  at.tangent = (d2.y * e1 - d1.y * e2) / determinant;
+  at.bitangent = (d1.x * e2 - d2.x * e1) / determinant;
+}
+
+Imitation::Fragment Imitation::fragment(const Hit& hit, const SurfacePoint& at, const glm::dvec3& to_eye, const tracer::TextureFootprint& footprint) const {
+  Fragment made{.hit = hit, .at = at, .material = scene_->material(hit.item, at, footprint), .normal = {}, .smooth_normal = {}, .to_eye = to_eye};
+  const bool is_turned = made.material.two_sided && glm::dot(at.normal, to_eye) < 0;
+  made.normal = is_turned ? -made.material.normal : made.material.normal;
+  made.smooth_normal = is_turned ? -at.normal : at.normal;
+  return made;
+}
+
+/// Of what casts shadows.
+double Imitation::nearest_caster(const Ray& ray, TraceScratch& scratch) const {
+  Ray beyond = ray;
+  for (Hit hit = scene_->accelerator().nearest(beyond, scratch.traversal); hit; hit = scene_->accelerator().nearest(beyond, scratch.traversal)) {
+    if (scene_->casts_shadow(hit.item) && !scene_->lets_light_through(hit.item)) return hit.t;
+    beyond.t_min = hit.t;
+  }
+  return tracer::kInfinity;
+}
+
+ShareRange Imitation::share_of(const Fragment& fragment, std::size_t light, const tracer::TracedLight& traced, bool by_maps, TraceScratch& scratch) const {
+  if (light >= shadows_.size() || !shadows_[light]) return {1, 1};
+  const auto nearest = [&](const Ray& ray) { return nearest_caster(ray, scratch); };
+  if (by_maps) return shadows_[light]->share_at({.position = fragment.at.position, .normal = fragment.smooth_normal, .to_light = traced.to_light}, nearest);
+  const glm::dvec3& n = fragment.at.geometric_normal;
+  const double off = kOffSurface * std::max(1.0, glm::length(fragment.at.position));
+  const Ray ray{.origin = fragment.at.position + (glm::dot(n, traced.to_light) < 0 ? -off : off) * n, .direction = traced.to_light, .t_max = traced.distance - off};
+  const double share = std::isfinite(nearest(ray)) ? 0 : 1;
+  return {share, share};
+}
+
+LightRange Imitation::lit_at_fragment(const Fragment& fragment, bool by_maps, TraceScratch& scratch) const {
+  LightRange sum = LightRange::of(glm::dvec3(fragment.material.reflection.ambient) * scene_->ambient());
+  scratch.lights.clear();
+  scene_->lights(fragment.at.position, scratch.lights);
+  const std::vector<tracer::TracedLight> lights = scratch.lights;
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    const glm::dvec3 sent = reflected(fragment.material, fragment.normal, fragment.to_eye, lights[i]);
+    if (largest(sent) > 0) sum.add(share_of(fragment, i, lights[i], by_maps, scratch), sent);
+  }
+  return sum;
+}
+
+glm::dvec3 Imitation::to_eye(const Ray& ray, const glm::dvec3& point) const { return grid_.is_parallel() ? -ray.direction : glm::normalize(ray.origin - point); }
+
+/// Flat, Gouraud and dot-product shading: the corners are lit.                                       [B 3.1, 3.2]
+LightRange Imitation::lit_at_vertices(const Ray& ray, const Hit& hit, TraceScratch& scratch) const {
+  const description::Shading shading = scene_->description().objects[static_cast<std::size_t>(scene_->object_of(hit.item))].shading;
+  std::vector<Fragment> corners;
+  for (const glm::dvec2 weights : {glm::dvec2(0, 0), glm::dvec2(1, 0), glm::dvec2(0, 1)}) {
+    Hit corner = hit;
+    corner.at = weights;
+    const SurfacePoint at = scene_->geometry().surface(ray, corner);
+    corners.push_back(fragment(hit, at, to_eye(ray, at.position), {}));
+  }
+  if (shading == description::Shading::dot_product) return lit_by_cosines(hit, corners, scratch);
+  const auto light_of = [&](const Fragment& corner) { return clamped(lit_at_fragment(corner, false, scratch).low); };
+  if (shading == description::Shading::flat) return LightRange::of(light_of(corners[0]));
+  const glm::dvec3 weights(1 - hit.at.x - hit.at.y, hit.at);
+  return LightRange::of(weights.x * light_of(corners[0]) + weights.y * light_of(corners[1]) + weights.z * light_of(corners[2]));
+}
+
+/// N.L and N.H, or R.V, of each light are interpolated; what a light loses on its way makes them smaller.        [B 3.4]
+LightRange Imitation::lit_by_cosines(const Hit& hit, const std::vector<Fragment>& corners, TraceScratch& scratch) const {
+  const ReflectionConstants& constants = corners[0].material.reflection;
+  const glm::dvec3 weights(1 - hit.at.x - hit.at.y, hit.at);
+  std::vector<glm::dvec2> cosines(intensities_.size(), glm::dvec2(0));
+  for (int k = 0; k < 3; ++k) {
+    const Fragment& corner = corners[static_cast<std::size_t>(k)];
+    scratch.lights.clear();
+    scene_->lights(corner.at.position, scratch.lights);
+    for (std::size_t i = 0; i < scratch.lights.size(); ++i) {
+      const glm::dvec3 &N = corner.normal, &L = scratch.lights[i].to_light, &V = corner.to_eye;
+      const double share = largest(intensities_[i]) > 0 ? largest(scratch.lights[i].intensity) / largest(intensities_[i]) : 0;
+      const double highlight = constants.model == Reflection::phong ? glm::dot(2 * glm::dot(N, L) * N - L, V) : glm::dot(N, glm::normalize(L + V));
+      const double power_of_share = constants.exponent > 0 ? std::pow(share, 1 / static_cast<double>(constants.exponent)) : 1;
+      cosines[i] += weights[k] * glm::dvec2(share * glm::dot(N, L), power_of_share * highlight);
+    }
+  }
+  glm::dvec3 sum = glm::dvec3(constants.ambient) * scene_->ambient();
+  for (std::size_t i = 0; i < cosines.size(); ++i) {
+    if (!(cosines[i].x > 0)) continue;
+    const double power = std::pow(std::max(cosines[i].y, 0.0), static_cast<double>(constants.exponent));
+    sum += intensities_[i] * (glm::dvec3(constants.diffuse) * cosines[i].x + glm::dvec3(constants.specular) * power);
+  }
+  return LightRange::of(sum);
+}
+
+/// What a mirror shows: 2 (N.V) N - V, with the normal as the pipeline has it.                              [A 1.4]
+glm::dvec3 Imitation::mirrored(const Place& place, const Fragment& fragment, Causes techniques, TraceScratch& scratch) const {
+  const auto direction = [](const Fragment& at) { return glm::normalize(2 * glm::dot(at.normal, at.to_eye) * at.normal - at.to_eye); };
+  const glm::dvec3 R = direction(fragment);
+  if (!techniques.has(Cause::mirror_of_surroundings)) {
+    const double off = kOffSurface * std::max(1.0, glm::length(fragment.at.position));
+    const Ray ray{.origin = fragment.at.position + off * fragment.smooth_normal, .direction = R};
+    if (tracer_.first_hit(ray, scratch)) return tracer_.radiance(ray, scratch);
+  }
+  if (!techniques.has(Cause::environment_map) || !environment_) return scene_->background(R, false);
+  BlockDirections block{R, R, R};
+  for (std::size_t i = 0; i < block.size(); ++i) {
+    const Place beside = in_block(place, i == 1, i == 2);
+    const auto at = on_triangle(fragment.hit, beside);
+    if (at) block[i] = direction(this->fragment(fragment.hit, *at, to_eye(ray(beside), at->position), footprint_in_block(place, fragment.hit)));
+  }
+  return environment_->radiance(R, block);
+}
+
+glm::dvec3 Imitation::background(const Place& place, const Ray& ray, Causes techniques) const {
+  if (!techniques.has(Cause::environment_map) || !environment_) return scene_->background(ray.direction, true);
+  const auto direction = [&](int i, int j) { return this->ray(in_block(place, i, j)).direction; };
+  return environment_->radiance(ray.direction, {direction(0, 0), direction(1, 0), direction(0, 1)});
+}
+
+LightRange Imitation::light(const Place& place, const Ray& ray, const Hit& hit, Causes techniques, TraceScratch& scratch) const {
+  if (!hit) return LightRange::of(background(place, ray, techniques));
+  if (techniques.has(Cause::vertex_shading)) return lit_at_vertices(ray, hit, scratch);
+  SurfacePoint at = scene_->geometry().surface(ray, hit);
+  const bool by_block = techniques.has(Cause::mipmap);
+  if (by_block && has_pattern(hit) && !material_of(hit)->bump) set_triangle_tangents(at, hit, ray);
+  const Fragment here = fragment(hit, at, -ray.direction, by_block ? footprint_in_block(place, hit) : footprint_of_rays(place, at));
+  LightRange sum = lit_at_fragment(here, techniques.has(Cause::shadow_map), scratch);
+  if (largest(here.material.mirrored) > 0) sum.add(here.material.mirrored * mirrored(place, here, techniques, scratch));
+  return sum;
+}
+
+}  // namespace tuberia::witness

@@ -1,0 +1,77 @@
+#pragma once
+// The pipeline's documented techniques in double precision on the tracer's own scene: what its ray would bring if
+// some of what sets the two apart were the same.                          docs/conventions.md, docs/surfaces.md
+
+#include <glm/vec2.hpp>
+#include <optional>
+#include <vector>
+
+#include "examples/tuberia/witness/environment_look_up.hpp"
+#include "examples/tuberia/witness/light_range.hpp"
+#include "examples/tuberia/witness/picture_grid.hpp"
+#include "examples/tuberia/witness/retraced_shadow.hpp"
+#include "examples/tuberia/witness/verdict.hpp"
+#include "reference/ray_tracer/ray_tracer.hpp"
+#include "reference/ray_tracer/viewing.hpp"
+
+namespace tuberia::witness {
+
+/// A place of the picture: a little beside a pixel's centre.
+struct Place {
+  glm::ivec2 pixel{0};
+  glm::dvec2 offset{0};  // pixels
+
+  glm::dvec2 at() const { return glm::dvec2(pixel) + 0.5 + offset; }
+};
+
+class Imitation {
+ public:
+  /// scene must outlive it. Errors: of the lights' views and of the environment's picture.
+  static Result<Imitation> create(const tracer::TracedScene& scene, const Camera& camera, const glm::ivec2& size_pixels);
+
+  tracer::Ray ray(const Place& place) const { return view_.ray(place.at(), true); }
+
+  /// Which techniques might matter to what a ray meets, or to the background.
+  Causes techniques_of(const tracer::Hit& hit) const;
+
+  /// What the ray of a place that meets `hit` brings, with these of the techniques; edges and depths are up to the caller.
+  LightRange light(const Place& place, const tracer::Ray& ray, const tracer::Hit& hit, Causes techniques, tracer::TraceScratch& scratch) const;
+
+ private:
+  /// A point of a triangle, lit or not.
+  struct Fragment {
+    tracer::Hit hit;
+    tracer::SurfacePoint at;
+    tracer::PointMaterial material;
+    glm::dvec3 normal, smooth_normal, to_eye;
+  };
+  Imitation(const tracer::TracedScene& scene, const tracer::View& view, const PictureGrid& grid) : scene_(&scene), tracer_(scene), view_(view), grid_(grid) {}
+
+  Place in_block(const Place& place, int i, int j) const;
+  std::optional<tracer::SurfacePoint> on_triangle(const tracer::Hit& hit, const Place& place) const;
+  glm::dvec3 to_eye(const tracer::Ray& ray, const glm::dvec3& point) const;
+  tracer::TextureFootprint footprint_in_block(const Place& place, const tracer::Hit& hit) const;
+  tracer::TextureFootprint footprint_of_rays(const Place& place, const tracer::SurfacePoint& at) const;
+  const description::Material* material_of(const tracer::Hit& hit) const;
+  bool has_pattern(const tracer::Hit& hit) const;
+  void set_triangle_tangents(tracer::SurfacePoint& at, const tracer::Hit& hit, const tracer::Ray& ray) const;
+  Fragment fragment(const tracer::Hit& hit, const tracer::SurfacePoint& at, const glm::dvec3& to_eye, const tracer::TextureFootprint& footprint) const;
+
+  LightRange lit_at_fragment(const Fragment& fragment, bool by_maps, tracer::TraceScratch& scratch) const;
+  ShareRange share_of(const Fragment& fragment, std::size_t light, const tracer::TracedLight& traced, bool by_maps, tracer::TraceScratch& scratch) const;
+  double nearest_caster(const tracer::Ray& ray, tracer::TraceScratch& scratch) const;
+  LightRange lit_at_vertices(const tracer::Ray& ray, const tracer::Hit& hit, tracer::TraceScratch& scratch) const;
+  LightRange lit_by_cosines(const tracer::Hit& hit, const std::vector<Fragment>& corners, tracer::TraceScratch& scratch) const;
+  glm::dvec3 mirrored(const Place& place, const Fragment& fragment, Causes techniques, tracer::TraceScratch& scratch) const;
+  glm::dvec3 background(const Place& place, const tracer::Ray& ray, Causes techniques) const;
+
+  const tracer::TracedScene* scene_;
+  tracer::RayTracer tracer_;
+  tracer::View view_;
+  PictureGrid grid_;
+  std::vector<std::optional<RetracedShadow>> shadows_;  // of the tracer's lights, in their order
+  std::vector<glm::dvec3> intensities_;                 // of the same, without falloff and cone
+  std::optional<EnvironmentLookUp> environment_;
+};
+
+}  // namespace tuberia::witness
