@@ -8,8 +8,10 @@ namespace tuberia::tracer {
 TracedPicture render(const RayTracer& tracer, const View& view, int width, int height, const description::Sampling& sampling, Workers& workers,
                      const TraceProgress& progress) {
   std::vector<TraceScratch> scratch(static_cast<std::size_t>(workers.thread_count()));
+  const double spacing = SamplePattern(sampling).spacing();
   const auto light_at = [&](const glm::dvec2& point, int worker) {
-    return tracer.radiance(view.ray(point), scratch[static_cast<std::size_t>(worker)]);
+    const NeighbourRays neighbours{.right = view.ray(point + glm::dvec2(spacing, 0)), .down = view.ray(point + glm::dvec2(0, spacing))};
+    return tracer.radiance(view.ray(point), scratch[static_cast<std::size_t>(worker)], nullptr, &neighbours);
   };
   SampledPicture sampled = sample_picture(light_at, width, height, sampling, workers, progress);
 

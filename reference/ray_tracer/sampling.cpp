@@ -3,15 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <chrono>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <mutex>
 #include <unordered_map>
 #include <vector>
 
 #include "math/lattice_noise.hpp"
+#include "reference/ray_tracer/sample_rows.hpp"
 
 namespace tuberia::tracer {
 
@@ -26,28 +25,6 @@ constexpr std::int64_t kKeptSamples = 2 << 20;  // about 50 MB, which bounds the
 
 struct PixelArea {
   int x0, y0, x1, y1;  // without the last ones
-};
-
-/// The light of all cells of some rows of pixels.
-class SampleRows {
- public:
-  SampleRows(int width, int cells) : row_(width * cells), cells_(cells) {}
-
-  int end() const noexcept { return end_; }
-  /// Forgets what lies above row `first` and makes room up to row `end`.
-  void hold(int first, int end) {
-    light_.erase(light_.begin(), light_.begin() + offset(0, first * cells_));
-    first_ = first;
-    end_ = end;
-    light_.resize(static_cast<std::size_t>(offset(0, end * cells_)));
-  }
-  glm::dvec3& at(const glm::ivec2& cell) noexcept { return light_[static_cast<std::size_t>(offset(cell.x, cell.y))]; }
-
- private:
-  std::ptrdiff_t offset(int x, int y) const noexcept { return static_cast<std::ptrdiff_t>(y - first_ * cells_) * row_ + x; }
-
-  int row_, cells_, first_ = 0, end_ = 0;
-  std::vector<glm::dvec3> light_;
 };
 
 /// The samples of one tile.
@@ -138,32 +115,13 @@ glm::dvec3 filtered(const SamplePattern& pattern, const PixelFilter& filter, Sam
   return light / weights;
 }
 
-/// Tells how far the work is.
-class ProgressReport {
- public:
-  ProgressReport(const TraceProgress& progress, double whole) : progress_(progress), whole_(whole) {}
-
-  void add(double part) {
-    if (!progress_) return;
-    const std::lock_guard lock(mutex_);
-    done_ += part;
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    progress_(done_ / whole_, seconds * (whole_ - done_) / done_);
-  }
-
- private:
-  const TraceProgress& progress_;
-  double whole_, done_ = 0;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  std::mutex mutex_;
-};
-
 }  // namespace
 
 SamplePattern::SamplePattern(const Sampling& sampling) noexcept
     : jittered_(sampling.pattern == Sampling::Pattern::jittered), seed_(sampling.seed),
       cells_(std::clamp(static_cast<int>(std::lround(std::sqrt(std::max(sampling.per_pixel, 1)))), 1, kMostCells)) {
   if (sampling.adaptive && !jittered_) cells_ = static_cast<int>(std::bit_ceil(static_cast<unsigned>(cells_)));
+  spacing_ = sampling.adaptive ? 1 : 1.0 / cells_;
 }
 
 glm::dvec2 SamplePattern::position(const glm::ivec2& cell) const noexcept {

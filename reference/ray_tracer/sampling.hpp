@@ -12,6 +12,7 @@
 
 #include "base/parallel_for.hpp"
 #include "image/image.hpp"
+#include "reference/ray_tracer/progress.hpp"
 #include "scene/description/tracing.hpp"
 
 namespace tuberia::tracer {
@@ -20,9 +21,6 @@ namespace tuberia::tracer {
 /// get the same answer from every worker, whose number may index scratch memory.
 using LightAt = std::function<glm::dvec3(const glm::dvec2& point, int worker)>;
 
-/// How far along, 0..1, and how long it will still take, in seconds, judged by what is done. One call at a time, of any thread.
-using TraceProgress = std::function<void(double done, double seconds_left)>;
-
 /// Where samples lie.                                                              [B 5.8.1]
 class SamplePattern {
  public:
@@ -30,6 +28,8 @@ class SamplePattern {
 
   /// k, 1..32: the root of per_pixel; of adaptive uniform sampling the next power of 2, since areas are cut in four.
   int cells() const noexcept { return cells_; }
+  /// How far apart the points are that a picture is made of, in pixels: with adaptive sampling corners of whole pixels are among them.
+  double spacing() const noexcept { return spacing_; }
   /// In pixels: the centre of the cell, or a random point of it, which depends on the cell and the seed only.
   glm::dvec2 position(const glm::ivec2& cell) const noexcept;
 
@@ -37,6 +37,7 @@ class SamplePattern {
   bool jittered_;
   std::uint32_t seed_;
   int cells_;
+  double spacing_;
 };
 
 /// How much a sample counts, by its distance from the pixel's centre.                          [B 5.8.1]
