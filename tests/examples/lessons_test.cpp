@@ -143,4 +143,33 @@ TEST_CASE("lesson 10: rays see shadows, mirrors and glass", "[examples]") {
   CHECK(3 * brightness(image.at(410, 300)) < 2 * brightness(image.at(60, 350)));
 }
 
+TEST_CASE("lesson 11: figures 47 and 48 in numbers, and rings that are not there", "[examples][B68][B72][B73]") {
+  const TemporaryFolder folder;
+  const test::Outcome lesson = test::run_program("", folder, PROGRAMS_FOLDER "/lesson_11_samples_of_a_pixel");
+  CHECK(lesson.status == 0);
+
+  // Samples at sixths of a pixel: 2 y > 1.03 + x counted in whole numbers.
+  std::string table;
+  for (int y = 0; y < 2; ++y) {
+    for (int x = 0; x < 3; ++x) {
+      int covered = 0;
+      for (int part = 0; part < 9; ++part) covered += 200 * (6 * y + 2 * (part / 3) + 1) > 618 + 100 * (6 * x + 2 * (part % 3) + 1);
+      table.append(" ").append(std::to_string(covered)).append("/9");
+    }
+    table += "\n";
+  }
+  INFO(lesson.output);
+  CHECK(lesson.output.find(table) != std::string::npos);
+  CHECK(lesson.output.find("62 rays where contrast asks for them, 117 everywhere, same picture") != std::string::npos);
+
+  // One sample draws the centre's rings again where a pixel holds one whole ring; sixteen leave them grey; random ones are noise.
+  const auto image = read_image(folder / "out/samples_of_a_pixel.png");
+  REQUIRE(image.ok());
+  int difference = 0;  // of the centre's rings and those at the left border, where they are a negative
+  for (int x = 0; x < 10; ++x) difference += std::abs(image->at(x, 128).g - image->at(128 + x, 128).g);
+  CHECK(difference / 10 > 150);
+  CHECK(roughness(*image, 512, 522, 100, 156) > 4 * roughness(*image, 0, 10, 100, 156));
+  CHECK(roughness(*image, 256, 266, 100, 156) < 0.1 * roughness(*image, 0, 10, 100, 156));
+}
+
 }  // namespace tuberia
