@@ -30,6 +30,12 @@ std::set<std::string> names_on_the_page() {
   return names;
 }
 
+bool is_traced(const std::string& name) {
+  for (const auto& section : cli::gallery_sections())
+    if (section.traced && std::find(section.names.begin(), section.names.end(), name) != section.names.end()) return true;
+  return false;
+}
+
 /// A fifth of the size, one sample a pixel, and surroundings to match.
 SceneDescription small_scene(const std::string& name) {
   auto scene = read_scene(kSceneFolder / (name + ".json"));
@@ -54,10 +60,11 @@ bool has_more_than_one_colour(const Image<Rgba8>& image) {
 
 }  // namespace
 
-TEST_CASE("gallery: every scene of the gallery, on every instruction set and number of threads", "[gallery]") {
+TEST_CASE("gallery: every scene of the gallery, drawn on every instruction set and number of threads", "[gallery]") {
   test::GoldenFolders folders;
   folders.golden /= "scenes";
   for (const std::string& name : scene_names()) {
+    if (is_traced(name)) continue;  // those are tests/ray_tracer's
     CAPTURE(name);
     auto frame = SceneFrame::create(small_scene(name));
     if (!frame) FAIL(frame.error().message);

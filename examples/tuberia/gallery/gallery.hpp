@@ -22,6 +22,7 @@ struct GallerySection {
   std::string title, lede;
   std::vector<std::string> names{};        // what to make: scene files without their ending, figures, or models
   std::vector<GalleryPicture> pictures{};  // what was made
+  bool traced = false;                     // by rays, where scene files are meant
 };
 
 /// The whole gallery in its order.
@@ -35,6 +36,9 @@ struct GalleryDrawing {
 
 /// A scene file. Errors: those of reading and drawing it.
 Result<GalleryDrawing> scene_drawing(const std::filesystem::path& file, Pipeline& pipeline);
+
+/// The same, its rays traced.
+Result<GalleryDrawing> traced_drawing(const std::filesystem::path& file, Workers& workers);
 
 /// Figures of curves and comparisons, which no scene file can say. scenes: the folder of the scene files that
 /// some of them show. Nothing if there is no figure of that name.

@@ -21,10 +21,12 @@ struct GalleryArguments {
 
 constexpr int kModelWidth = 1280, kModelHeight = 720;  // pixels
 
-Result<GalleryPicture> make_picture(const std::string& name, const GalleryArguments& arguments, Pipeline& pipeline) {
+Result<GalleryPicture> make_picture(const std::string& name, bool traced, const GalleryArguments& arguments, Pipeline& pipeline) {
+  const std::filesystem::path scene = std::filesystem::path(arguments.scenes) / (name + ".json");
   auto drawing = is_model(name)    ? model_drawing(name, kModelWidth, kModelHeight, pipeline)
                  : is_figure(name) ? figure_drawing(name, arguments.scenes, pipeline)
-                                   : scene_drawing(std::filesystem::path(arguments.scenes) / (name + ".json"), pipeline);
+                 : traced          ? traced_drawing(scene, pipeline.workers())
+                                   : scene_drawing(scene, pipeline);
   if (!drawing) return drawing.error();
   const std::string file = name + ".png";
   if (const auto written = write_image(std::filesystem::path(arguments.folder) / file, drawing->image); !written) return written.error();
@@ -53,7 +55,7 @@ int make_pictures(const GalleryArguments& arguments, Pipeline& pipeline, std::ve
     for (const std::string& name : section.names) {
       std::printf("[%2zu/%zu] %-28s ", ++done, count, name.c_str());
       std::fflush(stdout);
-      auto picture = make_picture(name, arguments, pipeline);
+      auto picture = make_picture(name, section.traced, arguments, pipeline);
       std::printf("%s\n", picture ? picture->performance.c_str() : picture.error().message.c_str());
       if (picture) section.pictures.push_back(*std::move(picture));
       else ++failures;

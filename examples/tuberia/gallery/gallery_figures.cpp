@@ -1,11 +1,14 @@
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <functional>
 #include <glm/gtc/constants.hpp>
 #include <glm/trigonometric.hpp>
 
 #include "examples/tuberia/gallery/gallery.hpp"
+#include "examples/tuberia/gallery/gallery_rays.hpp"
 #include "examples/tuberia/gallery/gallery_spectra.hpp"
 #include "examples/tuberia/gallery/plot.hpp"
 #include "math/camera.hpp"
@@ -121,9 +124,10 @@ struct Figure {
   const char* source;
   const char* caption;
   Result<Image<Rgba8>> (*draw)(const std::filesystem::path& scenes, Pipeline& pipeline);
+  bool traced = false;
 };
 
-constexpr std::array<Figure, 6> kFigures{{
+constexpr std::array<Figure, 9> kFigures{{
     {"lobes", "Where the light goes", "B Figure 5",
      "Light arrives along the yellow line. Diffuse reflection (blue) is the same in every direction; specular reflection (orange, n = 20) "
      "gathers about the mirror direction; white is their sum. The length of a line from the middle to a curve is what leaves that way.", draw_lobes},
@@ -138,6 +142,15 @@ constexpr std::array<Figure, 6> kFigures{{
     {"metamers", "Alike in one light only", "B 2.9",
      "Left a grey surface, right one whose reflectance swings up and down with the wavelength. In light of equal energy (above) no eye can "
      "tell them apart; in a warm light (below) any can. Drawn with 41 wavelengths, three at a time; three channels alone would show no difference.", draw_metamers},
+    {"depths_of_reflection", "How deep reflections go", "B Figure 51",
+     "The two mirrors, with rays followed through 0, 1, 2 and 3 reflections: mirrors that show nothing, then the room, then the other mirror, then "
+     "themselves in it. Nothing changes outside the mirrors. 250 x 250 pixels and nine samples each.", draw_depths_of_reflection, true},
+    {"uniform_samples", "One, four and nine samples", "B Figure 52",
+     "A small part of the two mirrors, magnified: stairs with one sample a pixel, in the middle of it; fewer and finer ones with 2 x 2 and 3 x 3.",
+     draw_uniform_samples, true},
+    {"jittered_samples", "The same at random", "B Figure 53",
+     "The same part, each sample at a random point of its share of the pixel: edges are rough rather than stepped. Where uniform samples "
+     "alias, random ones make noise, which eyes forgive; with nine, both look alike.", draw_jittered_samples, true},
 }};
 
 const Figure* find_figure(const std::string& name) {
@@ -151,9 +164,13 @@ bool is_figure(const std::string& name) { return find_figure(name) != nullptr; }
 
 Result<GalleryDrawing> figure_drawing(const std::string& name, const std::filesystem::path& scenes, Pipeline& pipeline) {
   const Figure& figure = *find_figure(name);
+  const auto start = std::chrono::steady_clock::now();
   auto image = figure.draw(scenes, pipeline);
   if (!image) return Error{name + ": " + image.error().message};
-  return GalleryDrawing{*std::move(image), figure.title, figure.source, figure.caption, "drawn by the pipeline itself"};
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  char performance[48] = "drawn by the pipeline itself";
+  if (figure.traced) std::snprintf(performance, sizeof performance, "rays traced in %.1f s", seconds);
+  return GalleryDrawing{*std::move(image), figure.title, figure.source, figure.caption, performance};
 }
 
 }  // namespace tuberia::cli

@@ -62,7 +62,8 @@ std::string figure(const GalleryPicture& picture) {
 
 std::string gallery_page(const std::vector<GallerySection>& sections, const std::string& machine) {
   std::string page = kHead;
-  page += "<p>Every picture was drawn by a graphics pipeline in software: " + escaped(machine) + ".</p>\n<nav>";
+  page += "<p>Every picture was drawn by a graphics pipeline in software, or, where rays are what it is about, by the ray tracer that bears witness to it: " +
+          escaped(machine) + ".</p>\n<nav>";
   for (std::size_t i = 0; i < sections.size(); ++i) page += "<a href=\"#" + anchor_of(i) + "\">" + escaped(sections[i].title) + "</a>\n";
   page += "</nav>\n";
   for (std::size_t i = 0; i < sections.size(); ++i) {
