@@ -1,8 +1,8 @@
 // Mirrored and refracted rays: how many, how deep, where to, and what they bring.
 
 #include <cmath>
-#include <filesystem>
 
+#include "math/optics.hpp"
 #include "tests/ray_tracer/whitted_scenes.hpp"
 
 namespace tuberia::tracer {
@@ -94,6 +94,42 @@ TEST_CASE("ray tracer: mirrored rays leave by the notes' cosine and sine vectors
   CHECK(whitted_is_near(direction_of(above, "R1"), {-0.5, cosine, 0}, 1e-12));
   const RayTree below = whitted_ray(scene, {.origin = {0.5, -cosine, 0}, .direction = {-0.5, cosine, 0}}).tree;
   CHECK(whitted_is_near(direction_of(below, "R1"), {-0.5, -cosine, 0}, 1e-12));
+}
+
+TEST_CASE("ray tracer: rays leave a surface on their own side, whatever its interpolated normals say", "[ray_tracer][B56][B57]") {
+  const TracedScene ball = whitted_scene(R"({"materials": {"both": {"mirror": 0.5, "transmission": 0.5, "refractive_index": 1.5}},
+    "objects": [{"shape": {"type": "sphere", "segments": [8, 4]}, "material": "both"}]})",
+                                         {.surfaces = SurfaceKind::tessellated});
+  const RayTracer tracer(ball, {.most_level = 1});
+  int turned = 0;
+  for (int i = 0; i < 400; ++i) {
+    const Ray ray = whitted_towards({0.1, 0.2, 4}, {-1.031 + 0.1 * (i % 20), -1.017 + 0.1 * (i / 20), 0});
+    TraceScratch scratch;
+    const Hit hit = tracer.first_hit(ray, scratch);
+    if (!hit) continue;
+    const SurfacePoint at = ball.geometry().surface(ray, hit);
+    RayTree tree;
+    tracer.radiance(ray, scratch, &tree);
+    const glm::dvec3 facing = glm::dot(at.geometric_normal, ray.direction) < 0 ? at.geometric_normal : -at.geometric_normal;
+    turned += glm::dot(reflected(ray.direction, at.normal), facing) < 0;
+    CHECK(glm::dot(direction_of(tree, "R1"), facing) >= 0);
+    CHECK(glm::dot(direction_of(tree, "T1"), facing) <= 0);
+    CHECK(glm::length(direction_of(tree, "R1")) == Approx(1));
+    CHECK(glm::length(direction_of(tree, "T1")) == Approx(1));
+  }
+  CHECK(turned > 0);  // there was something to keep
+}
+
+TEST_CASE("ray tracer: surroundings that are not shown are seen in mirrors, but not by the eye", "[ray_tracer][A46]") {
+  const TracedScene scene = whitted_scene(R"({"image": {"background": 0.125}, "environment": {"source": "sky", "resolution": 64, "shown": false}, "ambient": 0,
+    "materials": {"mirror": {"diffuse": 0, "mirror": 1}, "veil": {"alpha": 0.5, "diffuse": 0}},
+    "objects": [{"shape": {"type": "plane"}, "material": "mirror"}, {"shape": {"type": "plane"}, "material": "veil", "transforms": [{"translate": [9, 0, 0]}]}]})");
+  const Ray down{.origin = {0, 2, 0}, .direction = {0, -1, 0}};
+  CHECK(whitted_is_near(whitted_ray(scene, down).light, scene.background({0, 1, 0}, false), 1e-12));
+  CHECK_FALSE(whitted_is_near(whitted_ray(scene, down).light, glm::dvec3(0.125), 1e-2));
+  CHECK(whitted_is_near(whitted_ray(scene, {.origin = {5, 2, 0}, .direction = {0, -1, 0}}).light, glm::dvec3(0.125)));
+  // Straight through a veil it is still the eye that looks.
+  CHECK(whitted_is_near(whitted_ray(scene, {.origin = {9, 2, 0}, .direction = {0, -1, 0}}).light, glm::dvec3(0.0625)));
 }
 
 TEST_CASE("ray tracer: refracted rays are bent as Snell and the notes have it", "[ray_tracer][B57]") {

@@ -151,4 +151,24 @@ TEST_CASE("ray tracer: texture steps are those to the neighbouring pixels", "[ra
   CHECK(footprint_of(flat, {.right = right, .down = down}).down == glm::dvec2(0));
 }
 
+TEST_CASE("ray tracer: textures are filtered where the eye sees them, and at their finest in mirrors", "[ray_tracer][A44]") {
+  // Squares of black and white, of which a pixel sees very many; and a mirror that shows them.
+  const TracedScene scene = whitted_scene(R"({"ambient": 1, "textures": {"squares": {"source": "checker", "size": 256, "squares": 64}},
+    "materials": {"squares": {"texture": "squares", "diffuse": 1}, "mirror": {"diffuse": 0, "mirror": 1}},
+    "objects": [{"shape": {"type": "plane"}, "material": "squares"}, {"shape": {"type": "plane"}, "material": "mirror", "transforms": [{"rotate": 180, "about": [1, 0, 0]}, {"translate": [5, 9, 0]}]}]})");
+  const RayTracer tracer(scene);
+  TraceScratch scratch;
+  const auto seen = [&](const glm::dvec3& from, const glm::dvec3& to, double step) {
+    const NeighbourRays neighbours{.right = whitted_towards(from, to + glm::dvec3(step, 0, 0)), .down = whitted_towards(from, to + glm::dvec3(0, 0, step))};
+    return tracer.radiance(whitted_towards(from, to), scratch, nullptr, &neighbours).x;
+  };
+  // Squares are 1/32 wide; this point is in the middle of one. The second one is half as far from the mirror's image as from itself.
+  const glm::dvec3 square(1.0 / 64, 0, 1.0 / 64), above(square + glm::dvec3(0, 5, 0));
+  const double finest = seen(above, square, 1e-4);
+  CHECK((finest < 0.01 || finest > 0.99));
+  CHECK(seen(above, square, 1) == Approx(0.5).margin(0.05));
+  const glm::dvec3 eye(10, 0, 0);
+  CHECK(seen(eye, glm::dvec3(5 + square.x / 2, 9, square.z / 2), 1) == Approx(finest).margin(1e-6));
+}
+
 }  // namespace tuberia::tracer
