@@ -16,6 +16,7 @@ Run add_gallery(CLI::App& parent, CLI::App*& command);
 Run add_compare(CLI::App& parent, CLI::App*& command);
 Run add_info(CLI::App& parent, CLI::App*& command);
 Run add_stages(CLI::App& parent, CLI::App*& command);
+Run add_trace(CLI::App& parent, CLI::App*& command);
 Run add_requirements(CLI::App& parent, CLI::App*& command);
 Run add_witness(CLI::App& parent, CLI::App*& command);
 

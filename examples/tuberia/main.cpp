@@ -25,7 +25,7 @@ int run(int argc, char** argv) {
   app.option_defaults()->always_capture_default();
 
   std::vector<std::pair<CLI::App*, Run>> commands;
-  for (const auto add : {&add_render, &add_gallery, &add_compare, &add_info, &add_stages, &add_requirements, &add_witness}) {
+  for (const auto add : {&add_render, &add_gallery, &add_compare, &add_info, &add_stages, &add_trace, &add_requirements, &add_witness}) {
     CLI::App* command = nullptr;
     Run body = add(app, command);
     commands.emplace_back(command, std::move(body));

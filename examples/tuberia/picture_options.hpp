@@ -18,7 +18,7 @@ struct PictureArguments {
   RenderOptions options;  // what needs no translation
 };
 
-/// "1920x1080" to two numbers.
+/// "1920x1080" to two numbers. Error naming --size.
 Result<std::pair<int, int>> parse_size(const std::string& text);
 
 void add_picture_options(CLI::App& command, PictureArguments& arguments);

@@ -18,12 +18,6 @@ namespace {
 
 constexpr std::array<std::string_view, 9> kSceneOptions{"model", "--output", "--size", "--supersample", "--time", "--stats", "--precision", "--threads", "--isa"};
 
-/// Floats as the light of the scene, all else as the picture that its camera makes of it.
-Result<Nothing> write_scene_picture(const std::string& output, const Image<Rgba32F>& light, const description::Picture& picture) {
-  if (output.ends_with(".pfm") || output.ends_with(".hdr")) return write_image(output, light);
-  return write_image(output, srgb_codes_of(developed(light, picture)));
-}
-
 void print_passes(const SceneFrame& frame) {
   for (std::size_t i = 0; i < frame.passes().size(); ++i) std::printf("pass %zu  %s\n", i + 1, frame.passes()[i].c_str());
   const DrawStatistics& s = frame.statistics();
@@ -32,6 +26,11 @@ void print_passes(const SceneFrame& frame) {
 }
 
 }  // namespace
+
+Result<Nothing> write_scene_picture(const std::string& output, const Image<Rgba32F>& light, const description::Picture& picture) {
+  if (output.ends_with(".pfm") || output.ends_with(".hdr")) return write_image(output, light);
+  return write_image(output, srgb_codes_of(developed(light, picture)));
+}
 
 bool is_scene_file(const std::string& path) { return lower_case_extension(path) == ".json"; }
 

@@ -24,6 +24,9 @@ struct SceneArguments {
 /// Error naming the first option on the command line that a scene file leaves no room for.
 Result<Nothing> check_scene_options(const CLI::App& command);
 
+/// Floats as the light of the scene, all else as the picture that its camera makes of it.
+Result<Nothing> write_scene_picture(const std::string& output, const Image<Rgba32F>& light, const description::Picture& picture);
+
 /// Draws, writes and reports; the exit status.
 int render_scene(const SceneArguments& arguments, const PipelineOptions& options);
 
