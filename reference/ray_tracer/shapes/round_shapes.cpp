@@ -59,8 +59,7 @@ std::optional<Crossing> Cone::cross_side(const Ray& ray) const noexcept {
   const double k = 0.5 * radius_ / half_, across = std::hypot(d.x, d.z), rho = std::hypot(o.x, o.z);
   const double a = (across - k * d.y) * (across + k * d.y), b = 2 * (o.x * d.x + o.z * d.z - k * k * o.y * d.y);
   const double c = (rho - k * o.y) * (rho + k * o.y);
-  QuadraticRoots roots = solve_quadratic(a, b, c);
-  if (roots.count == 0 && a < 0) roots = {.count = 2, .first = -0.5 * b / a, .second = -0.5 * b / a};  // through the tip, but for rounding
+  const QuadraticRoots roots = solve_quadratic(a, b, c);
   if (roots.count == 0) return std::nullopt;
 
   Crossing crossing;
