@@ -13,7 +13,7 @@
 namespace tuberia::tracer {
 namespace {
 
-constexpr int kBins = 32;
+constexpr int kBins = 16;
 // What asking a pair of boxes costs, in tests of items.
 constexpr double kPairCost = 1.0;
 // Lopsided trees end here: from then on items are halved, which 32 bits allow 32 times.

@@ -7,6 +7,22 @@
 #include "reference/ray_tracer/accelerators/slabs.hpp"
 
 namespace tuberia::tracer {
+namespace {
+
+/// The halves of a voxel that a ray comes to first and last, along every axis: the wall between them is where the ray is
+/// half way through.
+std::array<Slabs::Walls, 2> halves_of(const Slabs::Walls& walls, const glm::dvec3& slack) noexcept {
+  const glm::dvec3 middle = 0.5 * walls.in + 0.5 * walls.out;
+  return {{{walls.in, middle + slack}, {middle - slack, walls.out}}};
+}
+
+/// The bits of the number say which half along x, y and z, as the ray meets them.
+Slabs::Walls part_of(const std::array<Slabs::Walls, 2>& halves, unsigned number) noexcept {
+  const Slabs::Walls &x = halves[number & 1], &y = halves[number >> 1 & 1], &z = halves[number >> 2 & 1];
+  return {{x.in.x, y.in.y, z.in.z}, {x.out.x, y.out.y, z.out.z}};
+}
+
+}  // namespace
 
 Octree::Voxel Octree::Voxel::part(unsigned number) const noexcept {
   const double half = 0.5 * edge;
@@ -142,27 +158,29 @@ void Octree::search(Search& search) const noexcept {
   search.open_mailboxes();
   const Ray& ray = search.ray();
   const Slabs slabs(ray, largest_coordinate_ + root_.edge);
-  // In this order no part lies before another that comes earlier.
-  const unsigned farthest_bits = (ray.direction.x < 0 ? 1u : 0u) | (ray.direction.y < 0 ? 2u : 0u) | (ray.direction.z < 0 ? 4u : 0u);
+  // Counted along the ray no part lies behind one with a larger number; these bits make that the number in the node.
+  const unsigned backwards = (ray.direction.x < 0 ? 1u : 0u) | (ray.direction.y < 0 ? 2u : 0u) | (ray.direction.z < 0 ? 4u : 0u);
 
   struct Waiting {
     std::uint32_t node;
     double entry;
-    Voxel voxel;
+    Slabs::Walls walls;
   };
   std::array<Waiting, 7 * kDeepest + 8> waiting;
   std::size_t waiting_count = 0;
-  const auto push = [&](std::uint32_t node, const Voxel& voxel) {
-    if (const double entry = slabs.entry(voxel.box(), search.limit()); entry < kInfinity) waiting[waiting_count++] = {node, entry, voxel};
+  const auto push = [&](std::uint32_t node, const Slabs::Walls& walls) {
+    if (const double entry = slabs.entry(walls, search.limit()); entry < kInfinity) waiting[waiting_count++] = {node, entry, walls};
   };
 
-  push(0, root_);
+  push(0, slabs.walls(root_.box()));
   while (waiting_count > 0) {
     const Waiting next = waiting[--waiting_count];
     if (next.entry > search.limit()) continue;
     const Node& node = nodes_[next.node];
     if (node.count == kCut) {
-      for (unsigned i = 8; i-- > 0;) push(node.first + (i ^ farthest_bits), next.voxel.part(i ^ farthest_bits));
+      // The farthest part first, so that the nearest is taken up next.
+      const std::array<Slabs::Walls, 2> halves = halves_of(next.walls, slabs.slack());
+      for (unsigned i = 8; i-- > 0;) push(node.first + (i ^ backwards), part_of(halves, i));
       continue;
     }
     search.count_volume();
