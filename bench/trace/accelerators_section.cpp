@@ -57,13 +57,15 @@ Table speed_table(const MeasuredKind& kind) {
 
 /// A row for each accelerator and number of objects.
 Table detail_table(const MeasuredKind& kind) {
-  Table table{.headings = {kind.name, "objects", "tests of objects a ray", "of volumes", "volumes", "deepest", "built in, ms", "bytes an object"}, .rows = {}};
+  Table table{.headings = {kind.name, "objects", "tests of objects a ray", "of volumes", "volumes", "deepest", "built in, ms", "bytes an object"},
+              .rows = {}};
   for (const ComparedAccelerators& size : kind.sizes)
     for (std::size_t i = 0; i < kAcceleratorKinds.size(); ++i) {
       const AcceleratorFigures& f = size.figures[i];
       const auto objects = static_cast<double>(size.objects);
-      table.rows.push_back({name_of_accelerator(i), count_text(objects), number_text(f.item_tests), number_text(f.volume_tests), count_text(static_cast<double>(f.facts.volumes)),
-                            std::to_string(f.facts.depth), number_text(1e3 * f.facts.build_seconds), number_text(static_cast<double>(f.facts.memory_bytes) / objects)});
+      table.rows.push_back({name_of_accelerator(i), count_text(objects), number_text(f.item_tests), number_text(f.volume_tests),
+                            count_text(static_cast<double>(f.facts.volumes)), std::to_string(f.facts.depth), number_text(1e3 * f.facts.build_seconds),
+                            number_text(static_cast<double>(f.facts.memory_bytes) / objects)});
     }
   return table;
 }
@@ -79,9 +81,11 @@ Chart chart_of(const MeasuredKind& kind) {
 TraceSection accelerators_section(const TraceOptions& options) {
   const MeasuredKind kinds[] = {measured("spheres", random_spheres, options), measured("triangles", hills, options)};
   const std::string how =
-      "Half of the rays come from an eye, half go from anywhere to anywhere; one thread, processor time, medians of rounds in which every accelerator had its turn. Builds: " +
-      std::to_string(options.threads) + " threads, the fastest of three. Exponents: of the time of a ray against the number of objects, all four.";
-  TraceSection section{.heading = "Accelerators against each other", .html = "<p>" + how + "</p>\n", .markdown = how + "\n\n", .json_name = "accelerators", .json = {}};
+      "Half of the rays come from an eye, half go from anywhere to anywhere; one thread, processor time, medians of rounds in which every "
+      "accelerator had its turn. Builds: " + std::to_string(options.threads) + " threads, the fastest of three. Exponents: of the time of a ray "
+      "against the number of objects, all that were measured.";
+  TraceSection section{.heading = "Accelerators against each other", .html = "<p>" + how + "</p>\n", .markdown = how + "\n\n",
+                       .json_name = "accelerators", .json = {}};
   nlohmann::ordered_json json;
   std::int64_t compared = 0, different = 0;
   for (const MeasuredKind& kind : kinds) {
@@ -93,7 +97,8 @@ TraceSection accelerators_section(const TraceOptions& options) {
       different += size.hits_different;
     }
   }
-  const std::string equal = count_text(static_cast<double>(compared)) + " hits compared with those of asking every object: " + count_text(static_cast<double>(different)) + " differ in any bit.";
+  const std::string equal = count_text(static_cast<double>(compared)) + " hits compared with those of asking every object: " +
+                            count_text(static_cast<double>(different)) + " differ in any bit.";
   section.html += "<p>" + equal + "</p>\n";
   section.markdown += equal + "\n";
   section.json = json.dump(2);

@@ -49,7 +49,8 @@ std::string quoted(const std::string& text) { return "\"" + text + "\""; }
 int run(const Options& options) {
   const std::string machine = sentence_of(this_machine(options.commit));
   std::printf("%s\n", machine.c_str());
-  Page page("How fast rays find what they meet", escaped(machine) + (options.trace.quick ? " <span class=\"alarm\">A quick run: not to be quoted.</span>" : ""));
+  const std::string warning = options.trace.quick ? " <span class=\"alarm\">A quick run: not to be quoted.</span>" : "";
+  Page page("How fast rays find what they meet", escaped(machine) + warning);
   std::string markdown, json = "{\"machine\": " + quoted(machine), complaints;
   for (const NamedSection& section : kSections) {
     if (!options.names.empty() && std::find(options.names.begin(), options.names.end(), section.name) == options.names.end()) continue;

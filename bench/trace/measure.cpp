@@ -19,7 +19,8 @@ std::size_t rays_for(std::int64_t tests, std::int64_t objects, std::size_t most)
   return std::clamp(static_cast<std::size_t>(tests / std::max<std::int64_t>(objects, 1)), std::size_t{2}, most);
 }
 
-std::unique_ptr<tracer::Accelerator> built(tracer::AcceleratorKind kind, const tracer::Items& items, Workers& workers, int times, tracer::AcceleratorFacts& facts) {
+std::unique_ptr<tracer::Accelerator> built(tracer::AcceleratorKind kind, const tracer::Items& items, Workers& workers, int times,
+                                           tracer::AcceleratorFacts& facts) {
   std::unique_ptr<tracer::Accelerator> accelerator;
   for (int i = 0; i < times; ++i) {
     accelerator.reset();
@@ -68,7 +69,8 @@ void time_rays(const Accelerators& accelerators, std::span<const tracer::Ray> ra
       for (const tracer::Ray& ray : some) accelerator->nearest(ray, *traversal);
     });
   }
-  const std::vector<RelativeTime> times = time_in_turns(ways, {.seconds = options.quick ? 0.3 : 4, .fewest_rounds = options.quick ? 3 : 9, .of_processor = true});
+  const Effort effort{.seconds = options.quick ? 0.3 : 4, .fewest_rounds = options.quick ? 3 : 9, .of_processor = true};
+  const std::vector<RelativeTime> times = time_in_turns(ways, effort);
   for (std::size_t i = 0; i < times.size(); ++i) {
     const double rays_ratio = ray_counts[i] / ray_counts[0];
     to.figures[i].nanoseconds = 1e6 * times[i].median_ms / ray_counts[i];
@@ -84,7 +86,8 @@ ComparedAccelerators compare_accelerators(const tracer::Items& items, std::span<
   ComparedAccelerators compared{.objects = items.count(), .figures = {}};
   Workers workers(options.threads);
   Accelerators accelerators;
-  for (std::size_t i = 0; i < accelerators.size(); ++i) accelerators[i] = built(kAcceleratorKinds[i], items, workers, options.quick ? 1 : 3, compared.figures[i].facts);
+  for (std::size_t i = 0; i < accelerators.size(); ++i)
+    accelerators[i] = built(kAcceleratorKinds[i], items, workers, options.quick ? 1 : 3, compared.figures[i].facts);
   compare_hits(accelerators, exhaustive ? rays : rays.first(rays_for(kTestsOfComparison, items.count(), rays.size())), compared);
   count_tests(accelerators, rays, compared);
   time_rays(accelerators, rays, options, compared);

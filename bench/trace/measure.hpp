@@ -10,8 +10,8 @@
 
 namespace tuberia::bench {
 
-inline constexpr std::array kAcceleratorKinds{tracer::AcceleratorKind::none, tracer::AcceleratorKind::bounding_spheres, tracer::AcceleratorKind::bvh, tracer::AcceleratorKind::grid,
-                                              tracer::AcceleratorKind::octree};
+inline constexpr std::array kAcceleratorKinds{tracer::AcceleratorKind::none, tracer::AcceleratorKind::bounding_spheres, tracer::AcceleratorKind::bvh,
+                                              tracer::AcceleratorKind::grid, tracer::AcceleratorKind::octree};
 
 struct AcceleratorFigures {
   double nanoseconds = 0;  // of a ray, on one thread: processor time

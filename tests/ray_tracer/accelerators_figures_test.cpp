@@ -115,7 +115,8 @@ TEST_CASE("accelerators: a grid asks three of eight objects", "[accelerators][B6
   CHECK(counted(AcceleratorKind::none, items, ray).work.item_tests == 8);
 
   // Coarser: fewer voxels, more tests. Finer: the other way round.
-  const TraversalWork coarse = counted(AcceleratorKind::grid, items, ray, {.voxels_per_item = 0.1}).work, fine = counted(AcceleratorKind::grid, items, ray, {.voxels_per_item = 64}).work;
+  const TraversalWork coarse = counted(AcceleratorKind::grid, items, ray, {.voxels_per_item = 0.1}).work;
+  const TraversalWork fine = counted(AcceleratorKind::grid, items, ray, {.voxels_per_item = 64}).work;
   CHECK(coarse == TraversalWork{.rays = 1, .item_tests = 8, .volume_tests = 1});
   CHECK(fine.volume_tests > 5);
   CHECK(fine.item_tests <= 3);
@@ -159,7 +160,8 @@ TEST_CASE("accelerators: bounding spheres leave few tests, in groups few of the 
   // No space is empty of many objects at once here, and groups pay all the same.
   const SimpleScene scene = scattered("", 1000, {0, 0, 0}, 1, 12);
   Workers workers(1);
-  const auto spheres = make_accelerator(AcceleratorKind::bounding_spheres, scene.items, workers), none = make_accelerator(AcceleratorKind::none, scene.items, workers);
+  const auto spheres = make_accelerator(AcceleratorKind::bounding_spheres, scene.items, workers);
+  const auto none = make_accelerator(AcceleratorKind::none, scene.items, workers);
   Traversal with, without;
   for (const Ray& ray : awkward_rays(scene, 1000, 13)) CHECK(spheres->nearest(ray, with) == none->nearest(ray, without));
   CHECK(without.work.item_tests == 1'000'000);

@@ -155,7 +155,10 @@ TEST_CASE("accelerators: 10,584 spheres, the same picture by all five", "[accele
   constexpr int kPixels = 24;
   std::vector<Ray> rays;
   for (int y = 0; y < kPixels; ++y)
-    for (int x = 0; x < kPixels; ++x) rays.push_back({.origin = {0, 0, 3}, .direction = glm::normalize(glm::dvec3((x + 0.5) / kPixels - 0.5, 0.5 - (y + 0.5) / kPixels, -1))});
+    for (int x = 0; x < kPixels; ++x) {
+      const glm::dvec3 towards((x + 0.5) / kPixels - 0.5, 0.5 - (y + 0.5) / kPixels, -1);
+      rays.push_back({.origin = {0, 0, 3}, .direction = glm::normalize(towards)});
+    }
   CHECK(differences(geometry, rays) == 0);
 
   // What the notes had days for: here as tests of each ray.

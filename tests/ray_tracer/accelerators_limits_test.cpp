@@ -63,8 +63,9 @@ TEST_CASE("accelerators: settings that are none are as good as the nearest that 
   Workers workers(1);
   Traversal traversal;
   const auto none = make_accelerator(AcceleratorKind::none, scene.items, workers);
+  const AcceleratorSettings odd[] = {{0, 0, 0}, {-5, -1, -1}, {1, 1000, 1e300}, {1 << 30, 1 << 30, std::nan("")}};
   for (const AcceleratorKind kind : kAllButNone)
-    for (const AcceleratorSettings& settings : {AcceleratorSettings{0, 0, 0}, AcceleratorSettings{-5, -1, -1}, AcceleratorSettings{1, 1000, 1e300}, AcceleratorSettings{1 << 30, 1 << 30, std::nan("")}}) {
+    for (const AcceleratorSettings& settings : odd) {
       INFO(name_of(kind) << " " << settings.most_items);
       const auto accelerator = make_accelerator(kind, scene.items, workers, settings);
       int wrong = 0;

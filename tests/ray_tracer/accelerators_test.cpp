@@ -15,7 +15,8 @@ using namespace tuberia::tracer::test;
 
 namespace {
 
-constexpr AcceleratorKind kAccelerators[] = {AcceleratorKind::none, AcceleratorKind::bounding_spheres, AcceleratorKind::bvh, AcceleratorKind::grid, AcceleratorKind::octree};
+constexpr AcceleratorKind kAccelerators[] = {AcceleratorKind::none, AcceleratorKind::bounding_spheres, AcceleratorKind::bvh, AcceleratorKind::grid,
+                                             AcceleratorKind::octree};
 
 /// [C]: for every ray every item, nothing else.
 Hit asked_of_all(const Items& items, const Ray& ray) {

@@ -12,7 +12,8 @@ Bvh::Bvh(const Items& items, Workers& workers, const AcceleratorSettings& settin
   largest_coordinate_ = boxed.largest_coordinate;
   set_unbounded(std::move(boxed.unbounded));
   tree_ = build_bvh(std::move(boxed.bounded), workers, settings);
-  facts_.memory_bytes = unbounded_bytes() + static_cast<std::int64_t>(tree_.nodes.capacity() * sizeof(BvhNode) + tree_.items.capacity() * sizeof(std::uint32_t));
+  facts_.memory_bytes = unbounded_bytes();
+  facts_.memory_bytes += static_cast<std::int64_t>(tree_.nodes.capacity() * sizeof(BvhNode) + tree_.items.capacity() * sizeof(std::uint32_t));
   facts_.volumes = static_cast<std::int64_t>(tree_.nodes.size());
   facts_.depth = tree_.depth;
 }

@@ -43,7 +43,11 @@ Grid::Grid(const Items& items, Workers& workers, const AcceleratorSettings& sett
   const auto count = static_cast<std::int64_t>(boxed.bounded.size());
   // What is no number counts as 1.
   double wanted = std::min(std::max(1.0, settings.voxels_per_item * static_cast<double>(count)), static_cast<double>(kMostVoxels));
-  for (choose_voxels(boxed.box, wanted); wanted > 1 && references(boxed.bounded) > kMostReferences * count; choose_voxels(boxed.box, wanted)) wanted = std::max(1.0, wanted / 2);
+  choose_voxels(boxed.box, wanted);
+  while (wanted > 1 && references(boxed.bounded) > kMostReferences * count) {
+    wanted = std::max(1.0, wanted / 2);
+    choose_voxels(boxed.box, wanted);
+  }
   fill(boxed.bounded);
 
   facts_.volumes = static_cast<std::int64_t>(first_of_voxel_.size()) - 1;
@@ -84,7 +88,8 @@ std::int64_t Grid::references(const std::vector<BoxedItem>& items) const noexcep
 }
 
 std::size_t Grid::index(int x, int y, int z) const noexcept {
-  return static_cast<std::size_t>(x) + static_cast<std::size_t>(counts_[0]) * (static_cast<std::size_t>(y) + static_cast<std::size_t>(counts_[1]) * static_cast<std::size_t>(z));
+  const auto rows = static_cast<std::size_t>(y) + static_cast<std::size_t>(counts_[1]) * static_cast<std::size_t>(z);
+  return static_cast<std::size_t>(x) + static_cast<std::size_t>(counts_[0]) * rows;
 }
 
 template <class Visit>
@@ -100,7 +105,8 @@ void Grid::fill(const std::vector<BoxedItem>& items) {
   for (const BoxedItem& each : items) for_each_voxel(voxels_of(each.box), [&](std::size_t voxel) { ++first_of_voxel_[voxel]; });
   for (std::size_t i = 1; i < first_of_voxel_.size(); ++i) first_of_voxel_[i] += first_of_voxel_[i - 1];
   items_.resize(first_of_voxel_.back());
-  for (auto each = items.rbegin(); each != items.rend(); ++each) for_each_voxel(voxels_of(each->box), [&](std::size_t voxel) { items_[--first_of_voxel_[voxel]] = each->item; });
+  for (auto each = items.rbegin(); each != items.rend(); ++each)
+    for_each_voxel(voxels_of(each->box), [&](std::size_t voxel) { items_[--first_of_voxel_[voxel]] = each->item; });
 }
 
 /// From voxel to voxel along a ray. The walls are computed, not summed up: after thousands of voxels they are

@@ -88,7 +88,8 @@ class Octree::Builder {
 
   void count_parts(Open& open, const std::vector<std::uint32_t>& items) const {
     if (open.count <= most_items_) return;
-    for (std::uint32_t i = open.first; i < open.first + open.count; ++i) for_each_part(open.voxel, items_[items[i]].box, [&](unsigned part) { ++open.counts[part]; });
+    for (std::uint32_t i = open.first; i < open.first + open.count; ++i)
+      for_each_part(open.voxel, items_[items[i]].box, [&](unsigned part) { ++open.counts[part]; });
   }
 
   bool is_worth_cutting(const Open& open) const {
@@ -127,7 +128,8 @@ class Octree::Builder {
     std::array<std::uint32_t, 8> next{};
     std::uint32_t first = open.parts_first;
     for (unsigned part = 0; part < 8; first += open.counts[part++]) next[part] = first;
-    for (std::uint32_t i = open.first; i < open.first + open.count; ++i) for_each_part(open.voxel, items_[items[i]].box, [&](unsigned part) { below[next[part]++] = items[i]; });
+    for (std::uint32_t i = open.first; i < open.first + open.count; ++i)
+      for_each_part(open.voxel, items_[items[i]].box, [&](unsigned part) { below[next[part]++] = items[i]; });
   }
 
   Octree& to_;
