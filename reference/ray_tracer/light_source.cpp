@@ -33,13 +33,19 @@ Result<Slide> slide_of(const description::Light& light, std::shared_ptr<const Te
 
 }  // namespace
 
-glm::dvec3 Slide::thrown_on(const glm::dvec3& point) const noexcept {
+std::optional<glm::dvec2> Slide::place_of(const glm::dvec3& point) const noexcept {
   const glm::dvec3 seen = point - eye;
   const double depth = is_parallel ? 1 : -glm::dot(seen, basis.w);
-  if (!(depth > 0)) return glm::dvec3(0);
-  const glm::dvec2 at = glm::dvec2(glm::dot(seen, basis.u), -glm::dot(seen, basis.v)) / (2 * depth * half_size) + 0.5;
-  const bool is_inside = at.x >= 0 && at.x <= 1 && at.y >= 0 && at.y <= 1;
-  return is_inside ? glm::dvec3(texture->at(at, {})) : glm::dvec3(0);
+  if (!(depth > 0)) return std::nullopt;
+  return glm::dvec2(glm::dot(seen, basis.u), -glm::dot(seen, basis.v)) / (2 * depth * half_size) + 0.5;
+}
+
+glm::dvec3 Slide::thrown_on(const glm::dvec3& point, const PointFootprint& footprint) const noexcept {
+  const auto at = place_of(point);
+  const bool is_inside = at && at->x >= 0 && at->x <= 1 && at->y >= 0 && at->y <= 1;
+  if (!is_inside) return glm::dvec3(0);
+  const auto right = place_of(point + footprint.right), down = place_of(point + footprint.down);
+  return texture->at(*at, {.right = right ? *right - *at : glm::dvec2(0), .down = down ? *down - *at : glm::dvec2(0)});
 }
 
 LightSource::LightSource(const description::Light& light)
@@ -76,7 +82,7 @@ Result<std::vector<LightSource>> LightSource::all_of(const description::Light& l
   return sources;
 }
 
-TracedLight LightSource::at(const glm::dvec3& point) const noexcept {
+TracedLight LightSource::at(const glm::dvec3& point, const PointFootprint& footprint) const noexcept {
   TracedLight light{.intensity = intensity_, .casts_shadows = casts_shadows_};
   if (kind_ == Kind::directional) {
     light.to_light = towards_;
@@ -86,7 +92,7 @@ TracedLight LightSource::at(const glm::dvec3& point) const noexcept {
     light.to_light = light.distance > 0 ? way / light.distance : glm::dvec3(0);
     light.intensity *= attenuation(light.distance, light.to_light);
   }
-  if (slide_) light.intensity *= slide_->thrown_on(point);
+  if (slide_) light.intensity *= slide_->thrown_on(point, footprint);
   return light;
 }
 

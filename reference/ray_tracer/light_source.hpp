@@ -8,7 +8,6 @@
 
 #include "base/result.hpp"
 #include "math/transforms.hpp"
-#include "reference/ray_tracer/ray.hpp"
 #include "reference/ray_tracer/texture_lookup.hpp"
 #include "scene/description/light.hpp"
 
@@ -31,14 +30,18 @@ struct Slide {
   glm::dvec2 half_size{1};             // of a parallel beam; else at the distance 1
 
   /// Linear RGB.
-  glm::dvec3 thrown_on(const glm::dvec3& point) const noexcept;
+  glm::dvec3 thrown_on(const glm::dvec3& point, const PointFootprint& footprint) const noexcept;
+
+ private:
+  /// On the picture, (0, 0) its upper left corner; nullopt behind the projector.
+  std::optional<glm::dvec2> place_of(const glm::dvec3& point) const noexcept;
 };
 
 /// One of the points, or the direction, that a light stands for.
 class LightSource {
  public:
   /// What arrives at a point, wherever its surface looks and whatever is in the way; a light that sends nothing there, too.
-  TracedLight at(const glm::dvec3& point) const noexcept;
+  TracedLight at(const glm::dvec3& point, const PointFootprint& footprint = {}) const noexcept;
 
   /// All points of a light. picture: of its projection, if it has one. Error for a projection whose `up` lies along its axis.
   static Result<std::vector<LightSource>> all_of(const description::Light& light, std::shared_ptr<const TextureLookup> picture);

@@ -57,9 +57,7 @@ PointMaterial SurfaceMaterial::at(const SurfacePoint& point, const TextureFootpr
 }
 
 SurfaceMaterial::Place SurfaceMaterial::place_of(const SurfacePoint& point, const TextureFootprint& footprint) const noexcept {
-  Place place{.uv = point.texcoord, .tangent = point.tangent, .bitangent = point.bitangent, .footprint = footprint, .step_right = {}, .step_down = {}};
-  place.step_right = footprint.right.x * point.tangent + footprint.right.y * point.bitangent;
-  place.step_down = footprint.down.x * point.tangent + footprint.down.y * point.bitangent;
+  Place place{.uv = point.texcoord, .tangent = point.tangent, .bitangent = point.bitangent, .footprint = footprint, .steps = point_footprint(point, footprint)};
   if (globe_) place = place_on_globe(point, place);
   place.uv *= repeat_;
   place.tangent /= repeat_.x;
@@ -76,8 +74,8 @@ SurfaceMaterial::Place SurfaceMaterial::place_on_globe(const SurfacePoint& point
     return glm::dvec2(up.x, 1 - up.y);
   };
   place.uv = coordinates_of(point.position);
-  place.footprint.right = shorter_way(coordinates_of(point.position + place.step_right) - place.uv);
-  place.footprint.down = shorter_way(coordinates_of(point.position + place.step_down) - place.uv);
+  place.footprint.right = shorter_way(coordinates_of(point.position + place.steps.right) - place.uv);
+  place.footprint.down = shorter_way(coordinates_of(point.position + place.steps.down) - place.uv);
   if (!material_.bump) return place;
 
   // d(u, v) by the surface's own coordinates (s, t), and the inverse of that.
@@ -106,7 +104,7 @@ glm::dvec3 SurfaceMaterial::pattern_colour_at(const SurfacePoint& point, const P
     const glm::dmat4 pattern_from_world(pattern_.pattern_from_world);
     const auto bands = [&](const glm::dvec3& world) { return bands_to(pattern_, glm::dvec3(pattern_from_world * glm::dvec4(world, 1))); };
     const double here = bands(point.position);
-    at.band_width = std::max(std::abs(bands(point.position + place.step_right) - here), std::abs(bands(point.position + place.step_down) - here));
+    at.band_width = std::max(std::abs(bands(point.position + place.steps.right) - here), std::abs(bands(point.position + place.steps.down) - here));
   }
   return pattern_colour(pattern_, at);
 }

@@ -58,7 +58,7 @@ class SurfaceMaterial {
     glm::dvec2 uv;
     glm::dvec3 tangent, bitangent;
     TextureFootprint footprint;
-    glm::dvec3 step_right, step_down;  // of the point, world units
+    PointFootprint steps;
   };
 
   Place place_of(const SurfacePoint& point, const TextureFootprint& footprint) const noexcept;

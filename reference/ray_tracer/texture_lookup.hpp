@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "image/image.hpp"
+#include "reference/ray_tracer/ray.hpp"
 #include "scene/content/texture_picture.hpp"
 #include "scene/description/material.hpp"
 
@@ -15,6 +16,17 @@ namespace tuberia::tracer {
 struct TextureFootprint {
   glm::dvec2 right{0}, down{0};
 };
+
+/// How far a point moves on its surface from one pixel to the next, to the right and down, world units; 0: unknown, and pictures are
+/// read at their finest level.
+struct PointFootprint {
+  glm::dvec3 right{0}, down{0};
+};
+
+/// That of a footprint in texture coordinates, along the surface's tangents.
+inline PointFootprint point_footprint(const SurfacePoint& at, const TextureFootprint& footprint) noexcept {
+  return {.right = footprint.right.x * at.tangent + footprint.right.y * at.bitangent, .down = footprint.down.x * at.tangent + footprint.down.y * at.bitangent};
+}
 
 /// How a texture is read; what docs/conventions.md says of it.
 struct TextureRules {

@@ -48,8 +48,9 @@ class TracedScene {
     return part(item).material.at(at, footprint);
   }
   /// What lights a point, whatever stands in the way: lights below the surface, too, and those that send nothing there. Appends.
-  void lights(const glm::dvec3& point, std::vector<TracedLight>& out) const {
-    for (const LightSource& source : lights_) out.push_back(source.at(point));
+  /// footprint: for the level at which pictures that lights throw are read.
+  void lights(const glm::dvec3& point, std::vector<TracedLight>& out, const PointFootprint& footprint = {}) const {
+    for (const LightSource& source : lights_) out.push_back(source.at(point, footprint));
   }
   /// What comes from a direction where nothing is.                                  [A 2.3] "background by direction"
   glm::dvec3 background(const glm::dvec3& direction, bool seen_directly) const noexcept;

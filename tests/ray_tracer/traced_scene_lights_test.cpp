@@ -110,6 +110,20 @@ TEST_CASE("traced scene: a slide falls upright around where its light looks", "[
                       {0, 5, 0}, slide).intensity == glm::dvec3(0));
 }
 
+TEST_CASE("traced scene: slides are filtered like other textures where the footprint is known", "[ray_tracer][traced_scene]") {
+  // 64 texels over two units: a pixel of 1/8 is four texels wide, and level 2 is green.
+  const TracedScene scene = traced(R"({"textures": {"slide": {"source": "gradient", "size": 64, "level_colours": true}},
+    "lights": [{"type": "directional", "towards": [0, 1, 0], "look_at": [0, 0, 0], "projection": {"texture": "slide", "up": [0, 0, -1], "height": 2}}]})");
+  const auto thrown = [&](double pixel) {
+    std::vector<TracedLight> lights;
+    scene.lights({0.1, 0, 0.2}, lights, {.right = {pixel, 0, 0}, .down = {0, 0, pixel / 2}});
+    return lights.at(0).intensity;
+  };
+  CHECK(thrown(0) == glm::dvec3(1, 0, 0));
+  CHECK(largest_difference(thrown(1.0 / 16), {1, 1, 0}) < 1e-12);
+  CHECK(largest_difference(thrown(1.0 / 8), {0, 1, 0}) < 1e-12);
+}
+
 TEST_CASE("traced scene: where nothing is there is the background, or what surrounds the scene", "[ray_tracer][traced_scene]") {
   const TracedScene empty = traced(R"({"image": {"background": [0.1, 0.2, 0.3]}, "ambient": [0.25, 0.5, 0.75]})");
   CHECK(empty.background({0, 1, 0}, true) == glm::dvec3(glm::vec3(0.1f, 0.2f, 0.3f)));
