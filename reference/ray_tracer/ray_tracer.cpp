@@ -36,6 +36,7 @@ struct Branch {
 struct Meeting {
   Hit hit;
   SurfacePoint at;
+  TextureFootprint footprint;
   PointMaterial material;
   glm::dvec3 V;                   // to where the ray came from, unit
   bool is_inside;                 // the ray came from within
@@ -109,7 +110,8 @@ struct Tracing {
     const SurfacePoint at = scene.geometry().surface(ray, hit);
     const glm::dvec3 V = -glm::normalize(ray.direction);
     const bool is_inside = glm::dot(at.geometric_normal, V) < 0;
-    return {.hit = hit, .at = at, .material = scene.material(hit.item, at, is_of_eye && neighbours ? footprint_of(at, *neighbours) : TextureFootprint{}), .V = V, .is_inside = is_inside,
+    const TextureFootprint footprint = is_of_eye && neighbours ? footprint_of(at, *neighbours) : TextureFootprint{};
+    return {.hit = hit, .at = at, .footprint = footprint, .material = scene.material(hit.item, at, footprint), .V = V, .is_inside = is_inside,
             .facing = is_inside ? -at.geometric_normal : at.geometric_normal};
   }
 
@@ -140,7 +142,7 @@ struct Tracing {
     const glm::dvec3 N = is_turned ? -m.material.normal : m.material.normal;
     glm::dvec3 I = glm::dvec3(constants.ambient) * scene.ambient();
     scratch.lights.clear();
-    scene.lights(m.at.position, scratch.lights);
+    scene.lights(m.at.position, scratch.lights, point_footprint(m.at, m.footprint));
     for (std::size_t i = 0; i < scratch.lights.size(); ++i) {
       const TracedLight& light = scratch.lights[i];
       if (!(glm::dot(N, light.to_light) > 0 && largest(light.intensity) > 0)) continue;
