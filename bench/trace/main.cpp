@@ -19,7 +19,7 @@ struct NamedSection {
   const char* name;
   TraceSection (*measure)(const TraceOptions&);
 };
-constexpr NamedSection kSections[] = {{"accelerators", accelerators_section}, {"claim", claim_section}};
+constexpr NamedSection kSections[] = {{"accelerators", accelerators_section}, {"claim", claim_section}, {"embree", embree_section}};
 
 struct Options {
   std::vector<std::string> names;

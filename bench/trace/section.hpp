@@ -25,4 +25,7 @@ TraceSection accelerators_section(const TraceOptions& options);
 /// The notes' 10,584 objects: what accelerators save.                                  [B 5.7]
 TraceSection claim_section(const TraceOptions& options);
 
+/// The fast kernel beside Embree, on the bunny and on one of a million triangles.
+TraceSection embree_section(const TraceOptions& options);
+
 }  // namespace tuberia::bench

@@ -1,4 +1,5 @@
-// Rays from one origin that go much the same way, through the tree together. Compiled once per instruction set.
+// Rays from one origin that go much the same way, through the tree together. [Packets]
+// Compiled once per instruction set.
 
 #if defined(TUBERIA_RAY_TRACER_BUNDLE_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef TUBERIA_RAY_TRACER_BUNDLE_INL

@@ -1,4 +1,5 @@
-// One ray through the tree. Compiled once per instruction set.
+// One ray through the tree. [WideTrees] [Filters]
+// Compiled once per instruction set.
 
 #if defined(TUBERIA_RAY_TRACER_TRAVERSAL_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef TUBERIA_RAY_TRACER_TRAVERSAL_INL
