@@ -18,11 +18,11 @@ std::optional<ShapeHit> Torus::intersect(const Ray& ray) const noexcept {
   if (!(reach_square > 0)) return std::nullopt;
   const double reach = std::sqrt(reach_square);
 
-  // (|p|^2 + R^2 - r^2)^2 = 4 R^2 (x^2 + z^2) with p = o + s d.
-  const double drift = glm::dot(o, d), power = glm::dot(o, o) + (ring - tube) * (ring + tube), four = 4 * ring * ring;
-  const double c4 = 1, c3 = 4 * drift, c2 = 2 * power + 4 * drift * drift - four * (d.x * d.x + d.z * d.z);
-  const double c1 = 4 * drift * power - 2 * four * (o.x * d.x + o.z * d.z), c0 = power * power - four * (o.x * o.x + o.z * o.z);
-  const PolynomialRoots roots = sign_changes(std::array{c0, c1, c2, c3, c4}, -reach, reach);
+  // (|p|^2 + R^2 - r^2)^2 = 4 R^2 (x^2 + z^2) with p = o + s d, o and d perpendicular.
+  const double power = glm::dot(o, o) + (ring - tube) * (ring + tube), four = 4 * ring * ring;
+  const double c2 = 2 * power - four * (d.x * d.x + d.z * d.z), c1 = -2 * four * (o.x * d.x + o.z * d.z);
+  const double c0 = power * power - four * (o.x * o.x + o.z * o.z);
+  const PolynomialRoots roots = sign_changes(std::array{c0, c1, c2, 0.0, 1.0}, -reach, reach);
   for (const double root : roots.all()) {
     const double t = line.t_of(refined(line, root * size));
     if (is_within(ray, t)) return ShapeHit{.t = t};
