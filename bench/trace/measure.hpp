@@ -17,7 +17,7 @@ struct AcceleratorFigures {
   double nanoseconds = 0;  // of a ray, on one thread: processor time
   /// Time of a ray by asking every item, divided by this; and the quartiles of the rounds.
   double speedup = 1, lower_quartile = 1, upper_quartile = 1;
-  double item_tests = 0, volume_tests = 0;  // of a ray
+  double item_tests = 0, volume_tests = 0;  // a ray; volumes are boxes or spheres that it was tested against, or voxels that it walked through
   tracer::AcceleratorFacts facts;           // the fastest of several builds
 };
 
