@@ -1,6 +1,8 @@
 // The accelerators among real shapes and triangles.
 
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <memory>
 #include <vector>
 
 #include "math/transforms.hpp"
@@ -8,7 +10,11 @@
 #include "reference/ray_tracer/geometry.hpp"
 #include "reference/ray_tracer/shapes/cuboid.hpp"
 #include "reference/ray_tracer/shapes/flat_shapes.hpp"
+#include "reference/ray_tracer/shapes/polygon.hpp"
+#include "reference/ray_tracer/shapes/quadric.hpp"
+#include "reference/ray_tracer/shapes/round_shapes.hpp"
 #include "reference/ray_tracer/shapes/sphere.hpp"
+#include "reference/ray_tracer/shapes/torus.hpp"
 #include "tests/ray_tracer/accelerators_scenes.hpp"
 
 using namespace tuberia;
@@ -38,18 +44,23 @@ Mesh hills(int n, float height, std::uint64_t seed) {
   return mesh;
 }
 
-/// Spheres, boxes, discs, a plane and hills.
+/// One of each kind, no larger than about 2 units.
+std::vector<std::shared_ptr<const Shape>> shapes_of_all_kinds() {
+  const std::vector<glm::dvec3> bent{{-1, 0, -1}, {1, 0, -1}, {1, 9e-7, 1}, {0, 0, 0.2}, {-1, 0, 1}};  // plane by as much as is asked for
+  const glm::dmat4 saddle{{1, 0, 0, 0}, {0, 0, 0, 0.5}, {0, 0, -1, 0}, {0, 0.5, 0, 0}};
+  return {std::make_shared<Sphere>(), std::make_shared<Cuboid>(glm::dvec3(1, 0.5, 2)), std::make_shared<Disc>(), std::make_shared<Cylinder>(),
+          std::make_shared<Cone>(0.5, 2, false), std::make_shared<Torus>(), *Polygon::create(bent), *Quadric::create(saddle, glm::dvec3(-1), glm::dvec3(1))};
+}
+
+/// All of those in many places, on hills, over an endless plane.
 Geometry many_shapes() {
   Geometry geometry;
   Random random(31);
   geometry.add_mesh(hills(20, 0.2f, 30), placed(1, {0, -0.5, 0}), 0);
   geometry.add_shape(std::make_shared<InfinitePlane>(), placed(1, {0, -0.8, 0}), 1);
-  for (int i = 0; i < 150; ++i) {
-    const glm::dmat4 turned = placed(0.1, random_in_cube(random)) * glm::dmat4(rotation({1, 0.5, 0.2}, random.between(0, 6)));
-    if (i % 3 == 0) geometry.add_shape(std::make_shared<Sphere>(), turned, 2);
-    if (i % 3 == 1) geometry.add_shape(std::make_shared<Cuboid>(glm::dvec3(1, 0.5, 2)), turned, 2);
-    if (i % 3 == 2) geometry.add_shape(std::make_shared<Disc>(), turned, 2);
-  }
+  const auto kinds = shapes_of_all_kinds();
+  for (std::size_t i = 0; i < 300; ++i)
+    geometry.add_shape(kinds[i % kinds.size()], placed(0.1, random_in_cube(random)) * glm::dmat4(rotation({1, 0.5, 0.2}, random.between(0, 6))), 2);
   return geometry;
 }
 
@@ -107,6 +118,29 @@ TEST_CASE("accelerators: triangles, aimed at their corners, edges and planes, at
 TEST_CASE("accelerators: shapes of all kinds and an endless plane", "[accelerators][C40]") {
   const Geometry geometry = many_shapes();
   CHECK(differences(geometry, awkward_rays({"", {}, {0, 0, 0}, 1}, 3000, 34)) == 0);
+}
+
+TEST_CASE("accelerators: shapes are met in their boxes and spheres", "[accelerators][B64]") {
+  const Geometry geometry = many_shapes();
+  Random random(40);
+  int met = 0;
+  for (int i = 0; i < 300'000; ++i) {
+    const std::int64_t item = random.below(geometry.count());
+    const Box box = geometry.bounds(item);
+    const bool is_bounded = std::isfinite(box.size().x);
+    Ray ray{.origin = 3.0 * random_in_cube(random)};
+    ray.direction = glm::normalize(box.lower + 0.5 * (random_in_cube(random) + 1.0) * box.size() - ray.origin);
+    Hit hit;
+    if (!is_bounded || !geometry.intersect(item, PreparedRay(ray), hit)) continue;
+    ++met;
+    const glm::dvec3 at = ray.at(hit.t), outside = glm::max(glm::max(box.lower - at, at - box.upper), glm::dvec3(0));
+    const BoundingSphere sphere = geometry.bounding_sphere(item);
+    // What the accelerators allow for.
+    constexpr double kSlack = 0x1p-42 * 3;
+    if (glm::length(outside) > kSlack) FAIL("item " << item << " is met " << glm::length(outside) << " outside its box");
+    if (glm::length(at - sphere.centre) > sphere.radius + kSlack) FAIL("item " << item << " is met outside its sphere");
+  }
+  CHECK(met > 50'000);
 }
 
 TEST_CASE("accelerators: a triangle's sphere is around its centroid and reaches its farthest corner", "[accelerators][B64]") {
