@@ -38,7 +38,7 @@ void warn(const SceneDescription& scene, const description::Object& object, cons
     if (!part.mesh.colours.empty() && !reads_colours) warnings.push_back(name + ": the colours at its vertices are seen with flat and gouraud shading only");
   const auto is_clear = [](const FramePart& part) { return part.material.transmission != glm::vec3(0); };
   if (std::any_of(parts.begin(), parts.end(), is_clear))
-    warnings.push_back(name + ": what is behind it shows through straight on, not refracted; that takes rays (tuberia trace)");
+    warnings.push_back(name + ": what is behind it shows through straight on, not refracted, and it casts no shadow; both take rays (tuberia trace)");
   const auto is_mirror = [](const FramePart& part) { return part.material.mirror != glm::vec3(0); };
   if (!scene.environment && std::any_of(parts.begin(), parts.end(), is_mirror))
     warnings.push_back(name + ": it mirrors nothing, since the scene has no environment; to mirror other objects takes one or rays (tuberia trace)");
