@@ -3,7 +3,9 @@
 #include <functional>
 
 #include "reference/ray_tracer/render.hpp"
+#include "scene/content/develop.hpp"
 #include "scene/content/scene_camera.hpp"
+#include "tests/golden/golden.hpp"
 #include "tests/ray_tracer/whitted_scenes.hpp"
 
 namespace tuberia::tracer {
@@ -69,6 +71,17 @@ TEST_CASE("ray tracer: one scene shows all that the notes' tracer covers", "[ray
     technique.leave_out(without);
     CHECK(differing_pixels(whole.light, pictured(without).light) > 10);
   }
+}
+
+TEST_CASE("ray tracer: the picture of it", "[ray_tracer][A40][C43]") {
+  auto scene = read_scene("examples/scenes/60_one_of_each.json");
+  REQUIRE(scene.ok());
+  scene->picture.width = 216;
+  scene->picture.height = 132;
+  const TracedPicture traced = pictured(*scene, 2);
+  test::GoldenFolders folders;
+  folders.golden /= "rays";
+  CHECK(test::golden_difference("one_of_each", srgb_codes_of(developed(traced.light, scene->picture)), folders, {.codes = 1, .share_of_pixels = 1e-3}) == "");
 }
 
 TEST_CASE("ray tracer: accelerators and threads change nothing in it", "[ray_tracer][A40]") {

@@ -23,7 +23,7 @@ TracedScene scene_of_figure() {
 WhittedRay middle_of_figure(const TracedScene& scene, const TraceSettings& settings) {
   const description::Picture& picture = scene.description().picture;
   const View view = *View::create(*camera_of(scene.description().camera, 1), picture.width, picture.height);
-  return whitted_ray(scene, view.ray({50.5, 50.5}), settings);
+  return whitted_ray(scene, view.ray(0.5 * glm::dvec2(picture.width, picture.height)), settings);
 }
 
 /// The rays that were followed, but for shadow rays: parent's name and object that was met.

@@ -29,7 +29,7 @@ std::vector<GallerySection> gallery_sections() {
       {.title = "Rays",
        .lede = "The same descriptions, pictured by following light back from the eye: Whitted's algorithm, a second witness that shares nothing "
                "with the pipeline. Mirrors show mirrors, glass bends what is behind it, and shadows need no map.",
-       .names = {"62_two_mirrors", "depths_of_reflection", "63_glass_ball", "uniform_samples", "jittered_samples", "64_all_at_once"},
+       .names = {"60_one_of_each", "61_ray_tree", "62_two_mirrors", "depths_of_reflection", "63_glass_ball", "uniform_samples", "jittered_samples", "64_all_at_once"},
        .traced = true},
       {.title = "Models from files", .lede = "Real models of Debian's packages, drawn with the programs that the fixed-function machine has.",
        .names = {"bunny", "bunny-gouraud", "bunny-flat", "horse", "cat", "asteroid", "duck", "spider", "box", "engine", "wuson", "teapots"}},
