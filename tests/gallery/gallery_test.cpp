@@ -104,6 +104,17 @@ TEST_CASE("gallery: the figures of the gallery are drawn", "[gallery]") {
   }
 }
 
+TEST_CASE("gallery: the tree of one pixel's rays is a drawing", "[gallery]") {
+  Workers workers;
+  const std::filesystem::path file = kSceneFolder / "61_ray_tree.json";
+  CHECK(cli::is_ray_tree(file.stem().string()));
+  const auto tree = cli::ray_tree_drawing(file, workers);
+  if (!tree) FAIL(tree.error().message);
+  CHECK(tree->svg.starts_with("<svg"));
+  for (const char* name : {"E, ", "R1, ", "R2, ", "T2, "}) CHECK(tree->svg.find(name) != std::string::npos);  // figure 32
+  CHECK_FALSE(cli::ray_tree_drawing("no_such_scene.json", workers));
+}
+
 TEST_CASE("gallery: the gallery's page names every picture once, and escapes what it says", "[gallery]") {
   cli::GallerySection section{.title = "Light & shade", .lede = "a < b"};
   section.pictures.push_back({.file = "one.png", .title = "\"One\"", .source = "B", .caption = "c", .performance = "1 ms", .width_pixels = 4000});

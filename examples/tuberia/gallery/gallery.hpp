@@ -32,6 +32,7 @@ std::vector<GallerySection> gallery_sections();
 struct GalleryDrawing {
   Image<Rgba8> image;
   std::string title, source, caption, performance;
+  std::string svg{};  // in place of the image
 };
 
 /// A scene file. Errors: those of reading and drawing it.
@@ -39,6 +40,10 @@ Result<GalleryDrawing> scene_drawing(const std::filesystem::path& file, Pipeline
 
 /// The same, its rays traced.
 Result<GalleryDrawing> traced_drawing(const std::filesystem::path& file, Workers& workers);
+
+/// The scene file whose picture matters less than the rays of its middle pixel: their tree.
+bool is_ray_tree(const std::string& name);
+Result<GalleryDrawing> ray_tree_drawing(const std::filesystem::path& file, Workers& workers);
 
 /// Figures of curves and comparisons, which no scene file can say. scenes: the folder of the scene files that
 /// some of them show. Nothing if there is no figure of that name.

@@ -20,17 +20,29 @@ struct GalleryArguments {
 };
 
 constexpr int kModelWidth = 1280, kModelHeight = 720;  // pixels
+constexpr int kSvgWidth = 640;                         // on the page; they are as sharp at any
+
+Result<Nothing> write_text(const std::filesystem::path& path, const std::string& text) {
+  std::ofstream file(path, std::ios::binary);
+  file << text;
+  file.close();
+  if (!file) return Error{"cannot write " + path.string()};
+  return Nothing{};
+}
 
 Result<GalleryPicture> make_picture(const std::string& name, bool traced, const GalleryArguments& arguments, Pipeline& pipeline) {
   const std::filesystem::path scene = std::filesystem::path(arguments.scenes) / (name + ".json");
-  auto drawing = is_model(name)    ? model_drawing(name, kModelWidth, kModelHeight, pipeline)
-                 : is_figure(name) ? figure_drawing(name, arguments.scenes, pipeline)
-                 : traced          ? traced_drawing(scene, pipeline.workers())
-                                   : scene_drawing(scene, pipeline);
+  auto drawing = is_model(name)      ? model_drawing(name, kModelWidth, kModelHeight, pipeline)
+                 : is_figure(name)   ? figure_drawing(name, arguments.scenes, pipeline)
+                 : is_ray_tree(name) ? ray_tree_drawing(scene, pipeline.workers())
+                 : traced            ? traced_drawing(scene, pipeline.workers())
+                                     : scene_drawing(scene, pipeline);
   if (!drawing) return drawing.error();
-  const std::string file = name + ".png";
-  if (const auto written = write_image(std::filesystem::path(arguments.folder) / file, drawing->image); !written) return written.error();
-  return GalleryPicture{file, drawing->title, drawing->source, drawing->caption, drawing->performance, drawing->image.width()};
+  const bool is_svg = !drawing->svg.empty();
+  const std::string file = name + (is_svg ? ".svg" : ".png");
+  const std::filesystem::path path = std::filesystem::path(arguments.folder) / file;
+  if (const auto written = is_svg ? write_text(path, drawing->svg) : write_image(path, drawing->image); !written) return written.error();
+  return GalleryPicture{file, drawing->title, drawing->source, drawing->caption, drawing->performance, is_svg ? kSvgWidth : drawing->image.width()};
 }
 
 /// Keeps of the gallery what was asked for. Error for a name that is not in it.
@@ -77,10 +89,8 @@ int run_gallery(const GalleryArguments& arguments) {
   Pipeline pipeline(*options);
   const int failures = make_pictures(arguments, pipeline, sections);
   const std::string page = arguments.folder + "/index.html";
-  std::ofstream file(page, std::ios::binary);
-  file << gallery_page(sections, description_of(*options, pipeline.workers().thread_count()));
-  file.close();
-  if (!file) return fail("cannot write " + page);
+  const auto written = write_text(page, gallery_page(sections, description_of(*options, pipeline.workers().thread_count())));
+  if (!written) return fail(written.error().message);
   std::size_t count = 0;
   for (const GallerySection& section : sections) count += section.pictures.size();
   std::printf("%zu pictures in %.0f s: open %s\n", count, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), page.c_str());

@@ -6,8 +6,10 @@
 #include "examples/tuberia/gallery/gallery.hpp"
 #include "examples/tuberia/gallery/plot.hpp"
 #include "examples/tuberia/render_model.hpp"
+#include "reference/ray_tracer/ray_tree.hpp"
 #include "reference/ray_tracer/trace_scene.hpp"
 #include "scene/content/develop.hpp"
+#include "scene/content/scene_camera.hpp"
 #include "scene/description/read_scene.hpp"
 
 namespace tuberia::cli {
@@ -63,6 +65,23 @@ Result<GalleryDrawing> traced_drawing(const std::filesystem::path& file, Workers
   std::snprintf(performance, sizeof performance, "%s rays from the eye, %s by mirrors and glass, %s to lights, %.1f s", with_commas(counts.eye_rays).c_str(),
                 with_commas(counts.reflected_rays + counts.transmitted_rays).c_str(), with_commas(counts.shadow_rays).c_str(), seconds);
   return GalleryDrawing{srgb_codes_of(developed(std::move(picture->light), scene->picture)), scene->title, scene->source, scene->caption, performance};
+}
+
+bool is_ray_tree(const std::string& name) { return name == "61_ray_tree"; }
+
+Result<GalleryDrawing> ray_tree_drawing(const std::filesystem::path& file, Workers& workers) {
+  const auto scene = read_scene(file);
+  if (!scene) return scene.error();
+  const glm::dvec2 size(scene->picture.width, scene->picture.height);
+  const auto traced_scene = tracer::TracedScene::create(*scene, workers);
+  const auto camera = camera_of(scene->camera, size.x / size.y);
+  const auto view = camera ? tracer::View::create(*camera, scene->picture.width, scene->picture.height) : camera.error();
+  if (!traced_scene || !view) return Error{file.string() + ": " + (traced_scene ? view.error() : traced_scene.error()).message};
+  const tracer::RayTracer tracer(*traced_scene, {.most_level = scene->tracing.depth, .least_weight = scene->tracing.least_weight});
+  tracer::TraceScratch scratch;
+  tracer::RayTree tree;
+  tracer.radiance(view->ray(0.5 * size), scratch, &tree);
+  return GalleryDrawing{{}, scene->title, scene->source, scene->caption, std::to_string(tree.rays().size()) + " rays for one pixel", svg_of(tree)};
 }
 
 Result<Image<Rgba8>> draw_depths_of_reflection(const std::filesystem::path& scenes, Pipeline& pipeline) {

@@ -27,8 +27,8 @@ std::vector<GallerySection> gallery_sections() {
        .names = {"50_shadows", "51_directional_shadows", "52a_bias_acne", "52b_bias_right", "52c_bias_detached", "53_near_the_shadow", "54_slide_projector",
                  "55_area_light"}},
       {.title = "Rays",
-       .lede = "The same descriptions, pictured by following light back from the eye: Whitted's algorithm, a second witness that shares nothing "
-               "with the pipeline. Mirrors show mirrors, glass bends what is behind it, and shadows need no map.",
+       .lede = "The same descriptions, pictured by following light back from the eye: Whitted's algorithm, a second witness that knows nothing of "
+               "how triangles are drawn. Mirrors show mirrors, glass bends what is behind it, and shadows need no map.",
        .names = {"60_one_of_each", "61_ray_tree", "62_two_mirrors", "depths_of_reflection", "63_glass_ball", "uniform_samples", "jittered_samples", "64_all_at_once"},
        .traced = true},
       {.title = "Models from files", .lede = "Real models of Debian's packages, drawn with the programs that the fixed-function machine has.",
