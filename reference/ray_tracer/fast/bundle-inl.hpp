@@ -79,18 +79,16 @@ HWY_INLINE bool set_up(FilterBundle& bundle, const WideTree& tree, const FastRay
   const float furthest = reach(tree.bounds, range.least.origin);
   if (!is_bundle(tree, range, furthest)) return false;
   FilterRay least, most;
-  set_boxes(least, range.least.origin, range.least.direction, furthest, 0);
-  set_boxes(most, range.least.origin, range.most.direction, furthest, 0);
+  set_up(least, tree.bounds, range.least.origin, range.least.direction, 0);
+  set_up(most, tree.bounds, range.least.origin, range.most.direction, 0);
   for (int axis = 0; axis < 3; ++axis) {
     bundle.enter[axis] = least.enter[axis], bundle.leave[axis] = least.leave[axis];
     bundle.near_plane[axis] = least.near_plane[axis], bundle.far_plane[axis] = least.far_plane[axis];
     bundle.minus_inverse[0][axis] = least.minus_inverse[axis], bundle.minus_inverse[1][axis] = most.minus_inverse[axis];
   }
   bundle.origin = range.least.origin;
-  const glm::vec3& d = range.least.direction;
-  const glm::vec3 size(std::abs(d.x), std::abs(d.y), std::abs(d.z));
-  bundle.z = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-  bundle.z_sign = std::copysign(1.0f, d[bundle.z]);
+  bundle.z = longest_axis(range.least.direction);
+  bundle.z_sign = std::copysign(1.0f, range.least.direction[bundle.z]);
   const float longest = std::max(largest_of(range.least.direction), largest_of(range.most.direction));
   bundle.volume_error_of_size = 48 * kUnit * furthest * longest;
   bundle.t_min = range.least.t_min - std::abs(range.least.t_min) * 0x1p-21f;
@@ -135,19 +133,9 @@ class BundleTraversal {
   }
 
   HWY_INLINE void run(const WideTree& tree) {
-    WaitingChildren waiting;
-    ChildReference child = ChildReference::node(0);
-    alignas(32) float entry[kWidth];
-    do {
-      while (!child.is_block()) {
-        const WideNode& node = tree.nodes[child.number()];
-        const std::uint32_t met = met_children(node, bundle_, latest_of_all_, entry);
-        if (met == 0) break;
-        const bool is_one = (met & (met - 1)) == 0;
-        child = is_one ? node.child[std::countr_zero(met)] : waiting.push_all_but_nearest(node, entry, met);
-      }
-      if (child.is_block()) meet_block(tree.blocks[child.number()]);
-    } while (waiting.pop(latest_of_all_, child));
+    traverse(
+        tree, latest_of_all_, [&](const WideNode& node, float* entry) HWY_ATTR { return met_children(node, bundle_, latest_of_all_, entry); },
+        [&](const TriangleBlock& block) HWY_ATTR { meet_block(block); });
   }
 
   HWY_INLINE void store(FastHit* hits) const {

@@ -52,10 +52,16 @@ HWY_INLINE bool is_sound(const FastRay& ray) {
   return zeros.x + zeros.y + zeros.z + 0.0f * ray.t_min == 0 && ray.t_min < ray.t_max && ray.direction != glm::vec3(0);
 }
 
-// `misplaced`: how far the origin is off.
-HWY_INLINE void set_boxes(FilterRay& filter, const glm::vec3& origin, const glm::vec3& direction, float furthest, float misplaced) {
+HWY_INLINE int longest_axis(const glm::vec3& v) {
+  const glm::vec3 size(std::abs(v.x), std::abs(v.y), std::abs(v.z));
+  return size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+}
+
+HWY_INLINE void set_up(FilterRay& filter, const Bounds& bounds, const glm::vec3& origin, const glm::vec3& direction, float misplaced) {
+  filter.origin = origin, filter.direction = direction;
+  filter.furthest = reach(bounds, origin), filter.misplaced = misplaced;
   // A plane's distance is subtracted and multiplied by a reciprocal, each rounded once; and so is `enter` itself.
-  const float roundings = 4 * kUnit * furthest + 2 * misplaced;
+  const float roundings = 4 * kUnit * filter.furthest + 2 * misplaced;
   for (int axis = 0; axis < 3; ++axis) {
     const bool is_negative = std::signbit(direction[axis]);
     const float outwards = std::copysign(roundings + 2 * kUnit * std::abs(origin[axis]), direction[axis]);
@@ -69,21 +75,21 @@ HWY_INLINE void set_boxes(FilterRay& filter, const glm::vec3& origin, const glm:
   }
 }
 
-HWY_INLINE void set_triangles(FilterRay& filter, const glm::vec3& origin, const glm::vec3& direction, float furthest, float misplaced) {
-  const glm::vec3 size(std::abs(direction.x), std::abs(direction.y), std::abs(direction.z));
-  const int z = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-  const int x = z == 2 ? 0 : z + 1, y = x == 2 ? 0 : x + 1;
-  filter.axis[0] = x, filter.axis[1] = y, filter.axis[2] = z;
-  for (int i = 0; i < 3; ++i) filter.origin[i] = origin[filter.axis[i]];
-  filter.inverse_z = 1 / direction[z];
-  filter.shear_x = direction[x] * filter.inverse_z;
-  filter.shear_y = direction[y] * filter.inverse_z;
+HWY_INLINE ShearedRay sheared(const FilterRay& filter) {
+  ShearedRay ray;
+  const int z = longest_axis(filter.direction), x = z == 2 ? 0 : z + 1, y = x == 2 ? 0 : x + 1;
+  ray.axis[0] = x, ray.axis[1] = y, ray.axis[2] = z;
+  for (int i = 0; i < 3; ++i) ray.origin[i] = filter.origin[ray.axis[i]];
+  ray.inverse_z = 1 / filter.direction[z];
+  ray.shear_x = filter.direction[x] * ray.inverse_z;
+  ray.shear_y = filter.direction[y] * ray.inverse_z;
   // A corner is off by one rounding each of x and z, two of the shear, one of the product, two of a difference that may be twice as
   // large. An area is off by four corners' errors times coordinates, which are below twice the triangle's size where it is met,
   // and three roundings of its own.
-  const float corner_error = 8 * kUnit * furthest + 4 * misplaced;
-  filter.area_error_of_size = 12 * corner_error;
-  filter.area_error = 12 * corner_error * corner_error + kUnderflow;
+  const float corner_error = 8 * kUnit * filter.furthest + 4 * filter.misplaced;
+  ray.area_error_of_size = 12 * corner_error;
+  ray.area_error = 12 * corner_error * corner_error + kUnderflow;
+  return ray;
 }
 
 // Scaled, moved or both. Whether the ray passes near the triangles at all.
@@ -107,19 +113,16 @@ HWY_NOINLINE bool set_up_unusual(FilterRay& filter, const Bounds& bounds, const 
     filter.t_offset = offset / filter.t_scale;
     filter.t_error = 4 * misplaced;
   }
-  const float furthest = reach(bounds, near_origin);
-  set_boxes(filter, near_origin, glm::vec3(direction), furthest, misplaced);
-  set_triangles(filter, near_origin, glm::vec3(direction), furthest, misplaced);
+  set_up(filter, bounds, near_origin, glm::vec3(direction), misplaced);
   return true;
 }
 
 /// Whether the ray can meet anything.
 HWY_INLINE bool set_up(FilterRay& filter, const WideTree& tree, const FastRay& ray) {
   if (!is_sound(ray)) return false;
-  const float longest = largest_of(ray.direction), furthest = reach(tree.bounds, ray.origin);
-  if (longest > kShortest && longest < kLongest && furthest < kFar * largest_of(tree.bounds.upper - tree.bounds.lower)) {
-    set_boxes(filter, ray.origin, ray.direction, furthest, 0);
-    set_triangles(filter, ray.origin, ray.direction, furthest, 0);
+  const float longest = largest_of(ray.direction);
+  if (longest > kShortest && longest < kLongest && reach(tree.bounds, ray.origin) < kFar * largest_of(tree.bounds.upper - tree.bounds.lower)) {
+    set_up(filter, tree.bounds, ray.origin, ray.direction, 0);
     filter.t_offset = 0, filter.t_scale = 1, filter.t_error = 0;
   } else if (!set_up_unusual(filter, tree.bounds, ray)) {
     return false;

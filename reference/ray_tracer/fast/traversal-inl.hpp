@@ -8,6 +8,7 @@
 #define TUBERIA_RAY_TRACER_TRAVERSAL_INL
 #endif
 
+#include <hwy/cache_control.h>
 #include <hwy/highway.h>
 
 #include <array>
@@ -120,7 +121,7 @@ class BoxTest {
 };
 
 /// Which triangles of a block the ray may meet before `latest`.
-HWY_INLINE std::uint32_t met_triangles(const TriangleBlock& block, const FilterRay& ray, float latest) {
+HWY_INLINE std::uint32_t met_triangles(const TriangleBlock& block, const ShearedRay& ray, float latest) {
   const Lanes lanes;
   std::uint32_t met = 0;
   for (int part = 0; part < kWidth; part += kLanes) {
@@ -144,6 +145,13 @@ HWY_INLINE std::uint32_t met_triangles(const TriangleBlock& block, const FilterR
   return met;
 }
 
+/// Asks for what will be read soon.
+HWY_INLINE void fetch(const WideTree& tree, ChildReference child) {
+  constexpr std::size_t kCacheLine = 64, kLines = 4;
+  const void* const at = child.is_block() ? static_cast<const void*>(&tree.blocks[child.number()]) : &tree.nodes[child.number()];
+  for (std::size_t line = 0; line < kLines; ++line) hwy::Prefetch(static_cast<const char*>(at) + line * kCacheLine);
+}
+
 /// Children that wait, each behind where the ray enters it, so that whole numbers compare as entries do.
 class WaitingChildren {
  public:
@@ -165,11 +173,12 @@ class WaitingChildren {
   }
 
   /// Pushes all children in `met` but the nearest, further ones below nearer ones. Returns the nearest.
-  HWY_INLINE ChildReference push_all_but_nearest(const WideNode& node, const float* entry, std::uint32_t met) {
+  HWY_INLINE ChildReference push_all_but_nearest(const WideTree& tree, const WideNode& node, const float* entry, std::uint32_t met) {
     const int begin = count_;
     for (; met != 0; met &= met - 1) {
       const int place = std::countr_zero(met);
       const std::uint64_t added = entered(entry[place], node.child[place]);
+      fetch(tree, node.child[place]);
       int at = count_++;
       for (; at > begin && waiting_[at - 1] < added; --at) waiting_[at] = waiting_[at - 1];
       waiting_[at] = added;
@@ -182,28 +191,38 @@ class WaitingChildren {
   int count_ = 0;
 };
 
-HWY_INLINE FastHit nearest_of_one(const WideTree& tree, const FastRay& ray, const FilterRay& filter) {
-  Nearest nearest;
-  nearest.begin(ray);
-  float latest = filter.t_max;
-  const auto meet_block = [&](const TriangleBlock& block) HWY_ATTR {
-    for (std::uint32_t met = met_triangles(block, filter, latest); met != 0; met &= met - 1)
-      if (nearest.meet(block, std::countr_zero(met))) latest = filter.latest(nearest.t());
-  };
-  const BoxTest boxes(filter);
+/// Visits the blocks that are met before `latest`, the nearest first as far as boxes tell. met_children(node, entry) gives a bit
+/// for each child; meet_block(block) may bring `latest` nearer.
+template <class MetChildren, class MeetBlock>
+HWY_INLINE void traverse(const WideTree& tree, const float& latest, MetChildren met_children, MeetBlock meet_block) {
   WaitingChildren waiting;
   ChildReference child = ChildReference::node(0);
   alignas(32) float entry[kWidth];
   do {
     while (!child.is_block()) {
       const WideNode& node = tree.nodes[child.number()];
-      const std::uint32_t met = boxes.met_children(node, latest, entry);
+      const std::uint32_t met = met_children(node, entry);
       if (met == 0) break;
       const bool is_one = (met & (met - 1)) == 0;
-      child = is_one ? node.child[std::countr_zero(met)] : waiting.push_all_but_nearest(node, entry, met);
+      child = is_one ? node.child[std::countr_zero(met)] : waiting.push_all_but_nearest(tree, node, entry, met);
     }
     if (child.is_block()) meet_block(tree.blocks[child.number()]);
   } while (waiting.pop(latest, child));
+}
+
+HWY_INLINE FastHit nearest_of_one(const WideTree& tree, const FastRay& ray, const FilterRay& filter) {
+  Nearest nearest;
+  nearest.begin(ray);
+  float latest = filter.t_max;
+  const BoxTest boxes(filter);
+  std::optional<ShearedRay> sheared_ray;  // most rays that miss meet no block either
+  traverse(
+      tree, latest, [&](const WideNode& node, float* entry) HWY_ATTR { return boxes.met_children(node, latest, entry); },
+      [&](const TriangleBlock& block) HWY_ATTR {
+        if (!sheared_ray) sheared_ray = sheared(filter);
+        for (std::uint32_t met = met_triangles(block, *sheared_ray, latest); met != 0; met &= met - 1)
+          if (nearest.meet(block, std::countr_zero(met))) latest = filter.latest(nearest.t());
+      });
   return nearest.hit();
 }
 
