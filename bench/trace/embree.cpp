@@ -69,8 +69,9 @@ class EmbreeScene {
 
   void add_mesh(const TriangleSoup& triangles) {
     RTCGeometry mesh = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
-    rtcSetSharedGeometryBuffer(mesh, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, triangles.positions.data(), 0, sizeof(glm::vec3), triangles.positions.size());
-    rtcSetSharedGeometryBuffer(mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, triangles.indices.data(), 0, 3 * sizeof(std::uint32_t), triangles.indices.size() / 3);
+    const auto& [name, positions, indices] = triangles;
+    rtcSetSharedGeometryBuffer(mesh, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, positions.data(), 0, sizeof(glm::vec3), positions.size());
+    rtcSetSharedGeometryBuffer(mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, indices.data(), 0, 3 * sizeof(std::uint32_t), indices.size() / 3);
     rtcCommitGeometry(mesh);
     rtcAttachGeometry(scene_.get(), mesh);
     rtcReleaseGeometry(mesh);

@@ -109,13 +109,19 @@ std::string times_text(const KernelFigures::Speed& speed) {
   return number_text(speed.times) + " (" + number_text(speed.lower_quartile) + " to " + number_text(speed.upper_quartile) + ")";
 }
 
+std::string count_text_of(std::int64_t count) { return count_text(static_cast<double>(count)); }
+
 Table table_of(const std::vector<Comparison>& comparisons) {
-  Table table{.headings = {"kernel", "Mrays/s, 1 thread", "times the first's", "Mrays/s, 2 threads", "times the first's", "hits", "others than doubles", "others than the first", "build ms", "MB"}, .rows = {}};
+  Table table{.headings = {"kernel", "Mrays/s, 1 thread", "times the first's", "Mrays/s, 2 threads", "times the first's", "hits", "others than doubles",
+                           "others than the first", "build ms", "MB"},
+              .rows = {}};
   for (const Comparison& comparison : comparisons) {
-    table.rows.push_back({comparison.triangles + "; " + comparison.rays + " rays", "", "", "", "", "", "", "", "", ""});
+    std::vector<std::string>& heading = table.rows.emplace_back(table.headings.size());
+    heading.front() = comparison.triangles + "; " + comparison.rays + " rays";
     for (const KernelFigures& f : comparison.kernels)
-      table.rows.push_back({f.name, number_text(f.speed[0].rate), times_text(f.speed[0]), number_text(f.speed[1].rate), times_text(f.speed[1]), count_text(static_cast<double>(f.hits)),
-                            count_text(static_cast<double>(f.other_than_doubles)), count_text(static_cast<double>(f.other_than_embree)), number_text(f.build_milliseconds), number_text(f.memory_megabytes)});
+      table.rows.push_back({f.name, number_text(f.speed[0].rate), times_text(f.speed[0]), number_text(f.speed[1].rate), times_text(f.speed[1]),
+                            count_text_of(f.hits), count_text_of(f.other_than_doubles), count_text_of(f.other_than_embree),
+                            number_text(f.build_milliseconds), number_text(f.memory_megabytes)});
   }
   return table;
 }
@@ -123,8 +129,16 @@ Table table_of(const std::vector<Comparison>& comparisons) {
 nlohmann::ordered_json json_of(const Comparison& comparison) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const KernelFigures& f : comparison.kernels)
-    list.push_back({{"kernel", f.name}, {"mrays_1_thread", f.speed[0].rate}, {"times_1_thread", f.speed[0].times}, {"mrays_2_threads", f.speed[1].rate}, {"times_2_threads", f.speed[1].times},
-                    {"hits", f.hits}, {"other_than_doubles", f.other_than_doubles}, {"other_than_first", f.other_than_embree}, {"build_ms", f.build_milliseconds}, {"memory_mb", f.memory_megabytes}});
+    list.push_back({{"kernel", f.name},
+                    {"mrays_1_thread", f.speed[0].rate},
+                    {"times_1_thread", f.speed[0].times},
+                    {"mrays_2_threads", f.speed[1].rate},
+                    {"times_2_threads", f.speed[1].times},
+                    {"hits", f.hits},
+                    {"other_than_doubles", f.other_than_doubles},
+                    {"other_than_first", f.other_than_embree},
+                    {"build_ms", f.build_milliseconds},
+                    {"memory_mb", f.memory_megabytes}});
   return {{"triangles", comparison.triangles}, {"rays", comparison.rays}, {"ray_count", comparison.ray_count}, {"kernels", list}};
 }
 
@@ -132,17 +146,22 @@ nlohmann::ordered_json json_of(const Comparison& comparison) {
 
 TraceSection embree_section(const TraceOptions& options) {
   const int height = options.quick ? 360 : 1080, width = options.quick ? 640 : 1920;
-  const RaySet primary = primary_rays(width, height), incoherent = incoherent_rays(options.quick ? 100'000 : 1'000'000);
+  const RaySet primary = primary_rays(width, height), incoherent = incoherent_rays(options.quick ? 100'000 : 300'000);
   std::vector<Comparison> comparisons = compared_on(0, {primary, incoherent}, options);
   for (Comparison& larger : compared_on(2, {primary, incoherent}, options)) comparisons.push_back(std::move(larger));
 
   const std::string embree = embree_sentence();
-  const std::string peers = embree.empty() ? "Embree was not found when this was configured; the first kernel is ours." : embree + ". The first kernel is Embree's.";
-  const std::string how = peers + " Ours: " + std::string(tracer::FastTriangles::instruction_sets().back()) +
-                          ". The rays are in squares of 4 x 4 pixels. Medians of rounds in which every kernel had its turn (quartiles); of one thread its processor time. "
-                          "Nobody is kept to a core. Builds: " + std::to_string(options.threads) + " threads, ours and Embree's the fastest of three.";
+  const std::string peer = embree.empty() ? "Embree was not found when this was configured; the first kernel is ours." : embree + ". The first kernel is Embree's.";
+  const std::string how = peer + " Ours: " + std::string(tracer::FastTriangles::instruction_sets().back()) +
+                          ". The primary rays are in squares of 4 x 4 pixels. Medians of rounds in which every kernel had its turn (quartiles); of one thread its "
+                          "processor time. Nobody is kept to a core. Builds: " +
+                          std::to_string(options.threads) + " threads, ours and Embree's the fastest of three.";
   const Table table = table_of(comparisons);
-  TraceSection section{.heading = "The fast kernel beside Embree", .html = "<p>" + how + "</p>\n" + table.html(), .markdown = how + "\n\n" + markdown_of(table), .json_name = "embree", .json = {}};
+  TraceSection section{.heading = "The fast kernel beside Embree",
+                       .html = "<p>" + how + "</p>\n" + table.html(),
+                       .markdown = how + "\n\n" + markdown_of(table),
+                       .json_name = "embree",
+                       .json = {}};
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
   for (const Comparison& comparison : comparisons) {
     json.push_back(json_of(comparison));

@@ -27,7 +27,8 @@ struct BinaryNode {
 };
 
 /// Orders the triangles so that those of a node are neighbours. Leaves have up to `most_in_leaf` triangles, which one test
-/// takes together; no leaf is deeper than kMostDepth. Numbers of nodes have gaps; node 0 is the root. The same tree for any number of workers. There is at least one triangle.
+/// takes together; no leaf is deeper than kMostDepth. Numbers of nodes have gaps; node 0 is the root. The same tree for any
+/// number of workers. There is at least one triangle.
 std::vector<BinaryNode> build_binary_tree(std::span<BoxedTriangle> triangles, int most_in_leaf, Workers& workers);
 
 }  // namespace tuberia::tracer

@@ -27,12 +27,14 @@ struct Range {
 };
 
 static_assert(sizeof(FastRay) == kWidth * sizeof(float));
+HWY_INLINE const float* numbers_of(const FastRay& ray) { return reinterpret_cast<const float*>(&ray); }
+HWY_INLINE float* numbers_of(FastRay& ray) { return reinterpret_cast<float*>(&ray); }
 
 HWY_INLINE Range range_of(const FastRay* rays, int count) {
   const Lanes lanes;
   Range range;
   for (int part = 0; part < kWidth; part += kLanes) {
-    const auto load = [&](int ray) HWY_ATTR { return hn::LoadU(lanes, &rays[ray].origin.x + part); };
+    const auto load = [&](int ray) HWY_ATTR { return hn::LoadU(lanes, numbers_of(rays[ray]) + part); };
     Floats least = load(0), most = least;
     auto numbers = hn::Eq(least, least);
     for (int i = 1; i < count; ++i) {
@@ -41,8 +43,8 @@ HWY_INLINE Range range_of(const FastRay* rays, int count) {
       most = hn::Max(most, ray);
       numbers = hn::And(numbers, hn::Eq(ray, ray));
     }
-    hn::StoreU(least, lanes, &range.least.origin.x + part);
-    hn::StoreU(most, lanes, &range.most.origin.x + part);
+    hn::StoreU(least, lanes, numbers_of(range.least) + part);
+    hn::StoreU(most, lanes, numbers_of(range.most) + part);
     range.has_nan |= !hn::AllTrue(lanes, numbers);
   }
   return range;

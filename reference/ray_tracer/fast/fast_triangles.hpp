@@ -49,7 +49,7 @@ struct FastFacts {
 /// Triangles in a tree of eight children a node [WideTrees]. A hit is what Woop's test says in doubles [Woop] of the triangles as
 /// they are in floats: no ray passes between two triangles that share an edge. t and u, v are that test's, rounded to
 /// float; of triangles at the same t in doubles the smallest number wins. The same bits from every instruction set, for any
-/// number of workers, for one ray and for many.
+/// number of workers, for one ray and for many. Rays from further away than 2^40 times the triangles' box are not sound enough: they meet nothing.
 class FastTriangles {
  public:
   static constexpr std::int64_t kMostTriangles = 1 << 28;
