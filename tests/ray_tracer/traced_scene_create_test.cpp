@@ -35,22 +35,6 @@ void check_refused_scene(const std::string& words, void (*spoil)(SceneDescriptio
   CHECK(one_line_naming(message, words));
 }
 
-/// A glTF triangle (0, 0, 0), (1, 0, 0), (0, 1, 0) with these coordinates as texture coordinates, a picture, and this material.
-std::filesystem::path write_leaf(const TemporaryFolder& folder, const Image<Rgba8>& picture, const std::string& material) {
-  REQUIRE(write_image(folder / "texture.png", picture).ok());
-  return folder.write("leaf.gltf", std::string(R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
-    "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "material": 0}]}],
-    "buffers": [{"byteLength": 60, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAAAAAAAAIA/AAAAAAAAAAAAAIA/"}],
-    "bufferViews": [{"buffer": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 24}],
-    "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]},
-                  {"bufferView": 1, "componentType": 5126, "count": 3, "type": "VEC2"}],
-    "images": [{"uri": "texture.png"}], "textures": [{"source": 0}], "materials": [)").append(material).append("]}"));
-}
-
-SceneDescription scene_of_model(const std::filesystem::path& file) {
-  return described(std::string(R"({"objects": [{"shape": {"type": "model", "file": ")").append(file.string()).append("\"}}]}"));
-}
-
 }  // namespace
 
 TEST_CASE("traced scene: items know their objects and materials", "[ray_tracer][traced_scene]") {

@@ -3,9 +3,11 @@
 
 #include <catch2/catch.hpp>
 
+#include <filesystem>
 #include <glm/geometric.hpp>
 #include <string>
 
+#include "image/write_image.hpp"
 #include "reference/ray_tracer/traced_scene.hpp"
 #include "scene/description/read_scene.hpp"
 #include "tests/image/temporary_folder.hpp"
@@ -33,6 +35,22 @@ inline std::string refusal_of_traced(const SceneDescription& scene) {
   Workers workers(1);
   const auto made = TracedScene::create(scene, workers);
   return made ? "" : made.error().message;
+}
+
+/// A glTF triangle (0, 0, 0), (1, 0, 0), (0, 1, 0) with these coordinates as texture coordinates, a picture, and this material.
+inline std::filesystem::path write_leaf(const TemporaryFolder& folder, const Image<Rgba8>& picture, const std::string& material) {
+  REQUIRE(write_image(folder / "texture.png", picture).ok());
+  return folder.write("leaf.gltf", std::string(R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+    "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "material": 0}]}],
+    "buffers": [{"byteLength": 60, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAAAAAAAAIA/AAAAAAAAAAAAAIA/"}],
+    "bufferViews": [{"buffer": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 24}],
+    "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]},
+                  {"bufferView": 1, "componentType": 5126, "count": 3, "type": "VEC2"}],
+    "images": [{"uri": "texture.png"}], "textures": [{"source": 0}], "materials": [)").append(material).append("]}"));
+}
+
+inline SceneDescription scene_of_model(const std::filesystem::path& file) {
+  return described(std::string(R"({"objects": [{"shape": {"type": "model", "file": ")").append(file.string()).append("\"}}]}"));
 }
 
 struct TracedMeeting {

@@ -5,6 +5,7 @@
 #include "image/image.hpp"
 #include "math/colour.hpp"
 #include "scene/content/develop.hpp"
+#include "tests/ray_tracer/traced_scene_support.hpp"
 #include "tests/ray_tracer/whitted_scenes.hpp"
 
 namespace tuberia::tracer {
@@ -127,6 +128,32 @@ TEST_CASE("ray tracer: surfaces that are not opaque show what is straight behind
   CHECK(whitted_is_near(seen.light, expected, 1e-6));
   CHECK(seen.scratch.rays_of_this_eye_ray == 11);
   CHECK(whitted_ray(scene, {.origin = {0.1, 5, 0.1}, .direction = {0, -1, 0}}, {.most_rays = 4}).scratch.unfollowed_rays == 1);
+}
+
+TEST_CASE("ray tracer: eye and light look through the holes of a leaf", "[ray_tracer]") {
+  // A triangle whose picture is gone where x > 1/2, before a wall that is lit from where the eye is.
+  const TemporaryFolder folder;
+  Image<Rgba8> picture(8, 8, {255, 0, 0, 255});
+  for (int y = 0; y < 8; ++y)
+    for (int x = 4; x < 8; ++x) picture.at(x, y).a = 0;
+  const auto file = traced_test::write_leaf(folder, picture, R"({"alphaMode": "MASK", "alphaCutoff": 0.5, "pbrMetallicRoughness": {"baseColorTexture": {"index": 0}, "metallicFactor": 0}})");
+  const TracedScene scene = whitted_scene(whitted_text(R"({"ambient": 0, "lights": [{"type": "directional", "towards": [0, 0, 1], "shadow": {}}], "materials": {"white": {"model": "lambert", "diffuse": 1}},
+    "objects": [{"name": "leaf", "shape": {"type": "model", "file": ")", file.string(), R"("}},
+                {"name": "wall", "shape": {"type": "plane", "width": 9, "depth": 9}, "material": "white", "transforms": [{"rotate": 90, "about": [1, 0, 0]}, {"translate": [0, 0, -1]}]}]})"));
+  const auto seen = [&](double x, double z) { return whitted_ray(scene, {.origin = {x, 0.1, z}, .direction = {0, 0, -1}}, {.most_level = 0}); };
+  const WhittedRay hole = seen(0.7, 1), leaf = seen(0.2, 1), behind_leaf = seen(0.2, -0.5), behind_hole = seen(0.7, -0.5);
+  CHECK(whitted_is_near(hole.light, glm::dvec3(1), 1e-6));
+  CHECK(whitted_is_near(behind_hole.light, glm::dvec3(1), 1e-6));
+  CHECK(behind_leaf.light == glm::dvec3(0));
+  CAPTURE(leaf.light.r, leaf.light.g, leaf.light.b);
+  CHECK(leaf.light.r > 0.5);
+  CHECK(leaf.light.g < 0.1 * leaf.light.r);
+  CHECK(whitted_named(hole.tree, "P1")->object == "wall");
+  CHECK_FALSE(whitted_named(leaf.tree, "P1"));
+  TraceScratch scratch;
+  const auto first = [&](double x) { return scene.object_of(RayTracer(scene).first_hit({.origin = {x, 0.1, 1}, .direction = {0, 0, -1}}, scratch).item); };
+  CHECK(first(0.7) == 1);
+  CHECK(first(0.2) == 0);
 }
 
 TEST_CASE("ray tracer: texture steps are those to the neighbouring pixels", "[ray_tracer][A44]") {
