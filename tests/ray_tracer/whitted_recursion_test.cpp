@@ -206,6 +206,18 @@ TEST_CASE("ray tracer: branches that weigh little are left out", "[ray_tracer][B
   CHECK(seen.light.x == Approx(0.1 * (1 + 0.8 + 0.64 + 0.512)).epsilon(1e-6));
 }
 
+TEST_CASE("ray tracer: what a surface lets straight through is weighed with the rest of its branch", "[ray_tracer][B55]") {
+  const TracedScene scene = whitted_scene(R"({"image": {"background": 1}, "ambient": 0, "materials": {"veil": {"diffuse": 0, "alpha": 0.75, "mirror": 0.5}},
+    "objects": [{"shape": {"type": "plane"}, "material": "veil"}]})");
+  const Ray ray{.origin = {0.1, 1, 0.1}, .direction = {0, -1, 0}};
+  const WhittedRay whole = whitted_ray(scene, ray);
+  CHECK(whole.light.x == Approx(0.75 * 0.5 + 0.25));
+  CHECK(whitted_named(whole.tree, "R1")->weight.x == Approx(0.375));
+  CHECK(whitted_named(whole.tree, "P1")->weight.x == Approx(0.25));
+  CHECK(whitted_ray(scene, ray, {.least_weight = 0.3}).light.x == Approx(0.375));
+  CHECK(whitted_ray(scene, ray, {.least_weight = 0.4}).light.x == 0);
+}
+
 TEST_CASE("ray tracer: light that is traced forwards hardly ever finds the eye", "[ray_tracer][B50]") {
   // From a lamp, mirrored by a ball: of 100,000 rays none goes through the eye, and a few through a lens of a hundredth of
   // the eye's distance. A tenth as many rays from the eye make a picture of it.
