@@ -138,7 +138,7 @@ struct Tracing {
   /// ka Ia + sum of V(p, q_i) Ip_i [kd (N.L_i) + ks ...].                                                    [B 5-2] [A 2.2]
   glm::dvec3 local_model(const Meeting& m, const Branch& branch) {
     const ReflectionConstants& constants = m.material.reflection;
-    const bool is_turned = largest(m.material.transmitted) > 0 ? m.is_inside : m.material.two_sided && glm::dot(m.at.normal, m.V) < 0;
+    const bool is_turned = m.material.two_sided && glm::dot(m.at.normal, m.V) < 0;
     const glm::dvec3 N = is_turned ? -m.material.normal : m.material.normal;
     glm::dvec3 I = glm::dvec3(constants.ambient) * scene.ambient();
     scratch.lights.clear();
