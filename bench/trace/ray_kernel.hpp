@@ -30,7 +30,8 @@ using RayKernels = std::vector<std::unique_ptr<RayKernel>>;
 /// Ours: the fast kernel's rays one by one and 16 at a time, and the tracer in doubles with its hierarchy of boxes.
 RayKernels our_kernels(const TriangleSoup& triangles, int threads);
 
-/// Embree's [Embree] rays one by one, the same without its cracks between triangles, and 16 at a time. None where it was not found
+/// Embree's [Embree] rays one by one, the same without its cracks between triangles, and 16 at a time, which it is told are
+/// coherent. None where it was not found
 /// when this was configured. The triangles must outlive them.
 RayKernels embree_kernels(const TriangleSoup& triangles, int threads);
 
