@@ -26,8 +26,8 @@ Comparison compared(const SceneDescription& drawn, const SceneDescription& trace
 
 TEST_CASE("tracer witness: scenes are confirmed", "[A40][A41][A44][C06][C41][Y5][tracer_witness]") {
   for (const char* name : {"04_phong", "06b_falloff_linear", "07_spot_light", "08c_overflow_hue_preserving", "09_cook_torrance", "10_shading", "12_lost_highlight", "21_parametric_mapping",
-                           "22b_tunnel_trilinear", "23_solid_patterns", "30b_torus_bump", "33_bricks", "40_mirror_sphere", "41c_teapot_panorama_map", "44_film", "50_shadows",
-                           "51_directional_shadows"}) {
+                           "22b_tunnel_trilinear", "23_solid_patterns", "30b_torus_bump", "33_bricks", "40_mirror_sphere", "41c_teapot_panorama_map", "43_rendered_surroundings", "44_film",
+                           "50_shadows", "51_directional_shadows", "54_slide_projector", "60_one_of_each"}) {
     const SceneDescription scene = witnessed_scene(name);
     const Comparison comparison = compared(scene, scene);
     INFO(name << "\n" << summary_of(comparison));
@@ -35,6 +35,22 @@ TEST_CASE("tracer witness: scenes are confirmed", "[A40][A41][A44][C06][C41][Y5]
     CHECK(counts.of(PixelClass::unexplained) == 0);
     CHECK(counts.same_objects() > kLeastSameObjects);
   }
+}
+
+// What is not opaque, before a mirror's surroundings, a texture and a shadow.
+
+TEST_CASE("tracer witness: what shows through", "[A40][Y5][tracer_witness]") {
+  const auto scene = scene_from_json(R"({"camera": {"eye": [0, 2, 6], "look_at": [0, 0.5, 0]}, "ambient": 0.2,
+      "lights": [{"type": "directional", "towards": [1, 2, 1], "shadow": {"resolution": 256}}], "environment": {"source": "sky", "resolution": 64},
+      "textures": {"tiles": {"source": "checker"}},
+      "materials": {"floor": {"texture": "tiles", "diffuse": 1}, "chrome": {"diffuse": 0.1, "mirror": 0.8}, "pane": {"diffuse": [0.2, 0.5, 0.4], "alpha": 0.4}},
+      "objects": [{"shape": {"type": "plane", "width": 8, "depth": 8}, "material": "floor"}, {"shape": {"type": "sphere"}, "material": "chrome", "transforms": [{"translate": [-1, 1, 0]}]},
+                  {"shape": {"type": "plane", "width": 3, "depth": 2}, "material": "pane", "transforms": [{"rotate": 90, "about": [1, 0, 0]}, {"translate": [0, 1, 2]}]}]})", "pane.json");
+  REQUIRE(scene);
+  const Comparison comparison = compared(*scene, *scene);
+  INFO(summary_of(comparison));
+  CHECK(counts_of(comparison).of(PixelClass::unexplained) == 0);
+  CHECK(counts_of(comparison).differing() > 1000);
 }
 
 // A witness that cannot refute proves nothing: the tracer is told a slightly different story.

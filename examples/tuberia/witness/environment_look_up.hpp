@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 #include <glm/mat3x3.hpp>
+#include <utility>
 #include <vector>
 
 #include "base/result.hpp"
@@ -21,10 +22,14 @@ class EnvironmentLookUp {
   /// camera: the observer's, whose axes a sphere map has. Errors of environment_picture.
   static Result<EnvironmentLookUp> create(const SceneDescription& scene, const description::Environment& environment, const Camera& camera);
 
+  /// A cube map in the world's axes.
+  explicit EnvironmentLookUp(CubeImages faces) { add_levels(std::move(faces)); }
+
   /// Linear RGB; directions of world space, unit. Trilinear, at the level of detail of docs/conventions.md.
   glm::dvec3 radiance(const glm::dvec3& direction, const BlockDirections& block) const;
 
  private:
+  EnvironmentLookUp() = default;
   double level_of_cube(const glm::dvec3& direction, const BlockDirections& block) const;
   double level_of_angle(const BlockDirections& block) const;
   void add_levels(CubeImages faces);

@@ -107,11 +107,22 @@ bool Explaining::gives(const DrawnPixel& drawn, const Sights& sights, Causes tec
   return false;
 }
 
+/// Of what a ray meets, and behind what is not opaque.
+Causes Explaining::techniques_along(Sight sight, tracer::TraceScratch& scratch) const {
+  Causes techniques = imitation_.techniques_of(sight.hit);
+  while (sight.hit && tracer_.scene().lets_light_through(sight.hit.item)) {
+    sight.ray.t_min = sight.hit.t;
+    sight.hit = tracer_.first_hit(sight.ray, scratch);
+    techniques = techniques | imitation_.techniques_of(sight.hit);
+  }
+  return techniques;
+}
+
 PixelVerdict Explaining::verdict(const glm::ivec2& pixel, const DrawnPixel& drawn, tracer::TraceScratch& scratch) const {
   const Sights centre{nearest({.pixel = pixel}, scratch)};
   Sights beside = around(pixel, scratch), behind = centre;
   Causes techniques;
-  for (const Sight& sight : beside) techniques = techniques | imitation_.techniques_of(sight.hit);
+  for (const Sight& sight : beside) techniques = techniques | techniques_along(sight, scratch);
   add_behind(behind, scratch);
   Sights anywhere = beside;
   add_behind(anywhere, scratch);
@@ -124,12 +135,11 @@ PixelVerdict Explaining::verdict(const glm::ivec2& pixel, const DrawnPixel& draw
   if (behind.size() > centre.size()) places.push_back({&behind, Cause::depth});
   if (anywhere.size() > beside.size()) places.push_back({&anywhere, Causes(Cause::edge) | Cause::depth});
   const std::vector<Causes> subsets = subsets_of(techniques);
-  for (int count = 1; count <= kCauseCount; ++count)
-    for (const Hypothesis& place : places)
-      for (const Causes subset : subsets) {
-        if (subset.count() + place.of_place.count() != count) continue;
-        if (gives(drawn, *place.sights, subset, scratch)) return {.differs = true, .explained = true, .causes = subset | place.of_place};
-      }
+  for (const Hypothesis& place : places)
+    for (const Causes subset : subsets) {
+      const Causes causes = subset | place.of_place;
+      if (causes != Causes() && gives(drawn, *place.sights, subset, scratch)) return {.differs = true, .explained = true, .causes = causes};
+    }
   return {.differs = true, .explained = false, .causes = {}};
 }
 

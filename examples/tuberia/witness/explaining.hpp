@@ -10,7 +10,7 @@
 namespace tuberia::witness {
 
 /// Within this distance of a pixel's centre an edge explains: corners are rounded to 1/256 pixel each way, which moves edges by
-/// up to 0.71/256; the pipeline's float matrices move them by 0.1/256 at most in pictures of up to 1,000 pixels.     [rules Y5]
+/// up to 0.71/256; float matrices move them by up to 0.25/256 in pictures of 1,000 pixels (picture_grid_test).     [rules Y5]
 inline constexpr double kEdgeDistance = 2.0 / 256;
 
 /// Depths of a d32f buffer, 0..1, that it may not tell apart: four steps of a float next to 1.
@@ -41,7 +41,8 @@ class Explaining {
   Explaining(const Imitation& imitation, const tracer::RayTracer& tracer, const Camera& camera, const Development& development)
       : imitation_(imitation), tracer_(tracer), camera_(camera), development_(development) {}
 
-  /// Of a pixel that differs: the fewest causes that give what was drawn; of as many those that leave less room.
+  /// Of a pixel that differs: the causes that give what was drawn. Techniques, which leave hardly any room, come before edges and
+  /// depths; of each the fewest.
   PixelVerdict verdict(const glm::ivec2& pixel, const DrawnPixel& drawn, tracer::TraceScratch& scratch) const;
 
  private:
@@ -58,6 +59,7 @@ class Explaining {
   void add_behind(Sights& sights, tracer::TraceScratch& scratch) const;
   double depth_of(const Sight& sight) const;
   int object_of(const Sight& sight) const;
+  Causes techniques_along(Sight sight, tracer::TraceScratch& scratch) const;
   LightRange light(const Sight& sight, Causes techniques, tracer::TraceScratch& scratch) const;
   bool gives(const DrawnPixel& drawn, const Sights& sights, Causes techniques, tracer::TraceScratch& scratch) const;
 

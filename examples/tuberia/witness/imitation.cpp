@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "examples/tuberia/witness/traced_cube.hpp"
 #include "scene/frame/frame_lights.hpp"
 
 namespace tuberia::witness {
@@ -25,8 +26,6 @@ Bounds bounds_of(const tracer::Geometry& geometry) {
   return box;
 }
 
-glm::dvec3 clamped(const glm::dvec3& light) { return glm::clamp(light, glm::dvec3(0), glm::dvec3(1)); }
-
 double largest(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
 
 /// What a light sends on, without anything in its way.
@@ -35,47 +34,73 @@ glm::dvec3 reflected(const tracer::PointMaterial& material, const glm::dvec3& no
   return light.intensity * reflected_share(material.reflection, {.normal = normal, .to_light = light.to_light, .to_eye = to_eye});
 }
 
+/// Where a ray meets the plane of a triangle: the second and third corner's shares.
+std::optional<glm::dvec2> weights_on_plane(const std::array<glm::dvec3, 3>& corners, const Ray& ray) {
+  const glm::dvec3 e1 = corners[1] - corners[0], e2 = corners[2] - corners[0], s = ray.origin - corners[0], p = glm::cross(ray.direction, e2);
+  const double determinant = glm::dot(e1, p);
+  if (determinant == 0) return std::nullopt;
+  return glm::dvec2(glm::dot(s, p), glm::dot(ray.direction, glm::cross(s, e1))) / determinant;
+}
+
 }  // namespace
 
-Result<Imitation> Imitation::create(const tracer::TracedScene& scene, const Camera& camera, const glm::ivec2& size_pixels) {
+Result<std::vector<Imitation::LightContent>> Imitation::contents_of(const description::Light& light, const Bounds& seen) {
+  const auto points = lights_of(light);
+  if (!points) return points.error();
+  std::vector<LightContent> contents;
+  for (const Light& point : *points) {
+    LightContent& content = contents.emplace_back(LightContent{.intensity = glm::dvec3(point.intensity), .throws_picture = light.projection.has_value()});
+    if (light.shadow) {
+      const auto view = shadow_view_of(light, point, seen);
+      if (!view) return view.error();
+      content.shadow.emplace(*light.shadow, *view);
+    }
+  }
+  return contents;
+}
+
+Result<Imitation> Imitation::create(const tracer::TracedScene& scene, const Camera& camera, const glm::ivec2& size_pixels, Workers& workers) {
   const auto view = tracer::View::create(camera, size_pixels.x, size_pixels.y);
   if (!view) return view.error();
   Imitation made(scene, *view, PictureGrid(camera, *basis_of(camera), size_pixels));
   const SceneDescription& description = scene.description();
   const Bounds seen = bounds_of(scene.geometry());
   for (const description::Light& light : description.lights) {
-    const auto points = lights_of(light);
-    if (!points) return points.error();
-    for (const Light& point : *points) {
-      made.intensities_.emplace_back(point.intensity);
-      auto& shadow = made.shadows_.emplace_back();
-      if (!light.shadow) continue;
-      const auto shadow_view = shadow_view_of(light, point, seen);
-      if (!shadow_view) return shadow_view.error();
-      shadow.emplace(*light.shadow, *shadow_view);
-    }
+    auto contents = contents_of(light, seen);
+    if (!contents) return contents.error();
+    std::move(contents->begin(), contents->end(), std::back_inserter(made.lights_));
   }
-  if (description.environment && description.environment->source != description::Environment::Source::rendered) {
-    auto look_up = EnvironmentLookUp::create(description, *description.environment, camera);
-    if (!look_up) return look_up.error();
-    made.environment_ = *std::move(look_up);
+  if (!description.environment) return made;
+  if (description.environment->source == description::Environment::Source::rendered) {
+    auto faces = traced_cube(description, *description.environment, workers);
+    if (!faces) return faces.error();
+    made.environment_ = EnvironmentLookUp(*std::move(faces));
+    return made;
   }
+  auto look_up = EnvironmentLookUp::create(description, *description.environment, camera);
+  if (!look_up) return look_up.error();
+  made.environment_ = *std::move(look_up);
   return made;
+}
+
+bool Imitation::is_lit_at_vertices(const Hit& hit) const {
+  return scene_->description().objects[static_cast<std::size_t>(scene_->object_of(hit.item))].shading != description::Shading::phong;
 }
 
 Causes Imitation::techniques_of(const Hit& hit) const {
   if (!hit) return environment_ && scene_->description().environment->shown ? Causes(Cause::environment_map) : Causes();
-  const SceneDescription& description = scene_->description();
-  const description::Object& object = description.objects[static_cast<std::size_t>(scene_->object_of(hit.item))];
-  if (object.shading != description::Shading::phong) return Cause::vertex_shading;
-  const auto has_map = [](const auto& shadow) { return shadow.has_value(); };
+  if (is_lit_at_vertices(hit)) return Cause::vertex_shading;
   Causes causes;
-  if (std::any_of(shadows_.begin(), shadows_.end(), has_map)) causes = causes | Cause::shadow_map;
+  for (const LightContent& light : lights_) {
+    if (light.shadow) causes = causes | Cause::shadow_map;
+    if (light.throws_picture) causes = causes | Cause::mipmap;
+  }
   const description::Material* material = material_of(hit);
   if (material == nullptr) return causes | Cause::mipmap;  // of a model file: its own
   if (!material->texture.empty() || material->pattern || material->bump) causes = causes | Cause::mipmap;
   if (material->mirror != glm::vec3(0)) causes = causes | Cause::mirror_of_surroundings;
   if (material->mirror != glm::vec3(0) && environment_) causes = causes | Cause::environment_map;
+  if (material->transmission != glm::vec3(0)) causes = causes | Cause::transmission;
   return causes;
 }
 
@@ -87,7 +112,9 @@ Place Imitation::in_block(const Place& place, int i, int j) const {
 /// A place's point of the triangle that was hit, with its corners on the grid, or of what continues it beyond its edges.
 std::optional<SurfacePoint> Imitation::on_triangle(const Hit& hit, const Place& place) const {
   const auto corners = scene_->geometry().triangle(hit.item);
-  const auto weights = corners ? grid_.weights_at(*corners, place.at()) : std::nullopt;
+  if (!corners) return std::nullopt;
+  auto weights = grid_.weights_at(*corners, place.at());
+  if (!weights) weights = weights_on_plane(*corners, ray(place));
   if (!weights) return std::nullopt;
   Hit beside = hit;
   beside.at = *weights;
@@ -107,6 +134,16 @@ tracer::TextureFootprint Imitation::footprint_in_block(const Place& place, const
 tracer::TextureFootprint Imitation::footprint_of_rays(const Place& place, const SurfacePoint& at) const {
   const auto beside = [&](int x, int y) { return ray({.pixel = place.pixel + glm::ivec2(x, y), .offset = place.offset}); };
   return tracer::footprint_of(at, {.right = beside(1, 0), .down = beside(0, 1)});
+}
+
+/// Of the point itself, for pictures that lights throw on it.
+tracer::PointFootprint Imitation::steps_between_pixels(const Place& place, const Fragment& fragment, Causes techniques) const {
+  if (std::none_of(lights_.begin(), lights_.end(), [](const LightContent& light) { return light.throws_picture; })) return {};
+  if (!techniques.has(Cause::mipmap)) return tracer::point_footprint(fragment.at, footprint_of_rays(place, fragment.at));
+  const auto in_block_at = [&](int i, int j) { return on_triangle(fragment.hit, in_block(place, i, j)); };
+  const auto at = in_block_at(0, 0), right = in_block_at(1, 0), down = in_block_at(0, 1);
+  if (!at || !right || !down) return {};
+  return {.right = right->position - at->position, .down = down->position - at->position};
 }
 
 /// Null for the default one, and for those that are named in a model's file.
@@ -146,20 +183,22 @@ Imitation::Fragment Imitation::fragment(const Hit& hit, const SurfacePoint& at, 
   return made;
 }
 
-/// Of what casts shadows.
+/// Of what casts shadows in the pipeline: all that is not blended.
 double Imitation::nearest_caster(const Ray& ray, TraceScratch& scratch) const {
   Ray beyond = ray;
   for (Hit hit = scene_->accelerator().nearest(beyond, scratch.traversal); hit; hit = scene_->accelerator().nearest(beyond, scratch.traversal)) {
-    if (scene_->casts_shadow(hit.item) && !scene_->lets_light_through(hit.item)) return hit.t;
+    const description::Material* material = material_of(hit);
+    const bool is_blended = material != nullptr && (material->alpha < 1 || material->transmission != glm::vec3(0));
+    if (scene_->casts_shadow(hit.item) && !is_blended) return hit.t;
     beyond.t_min = hit.t;
   }
   return tracer::kInfinity;
 }
 
 ShareRange Imitation::share_of(const Fragment& fragment, std::size_t light, const tracer::TracedLight& traced, bool by_maps, TraceScratch& scratch) const {
-  if (light >= shadows_.size() || !shadows_[light]) return {1, 1};
+  if (!lights_[light].shadow) return {1, 1};
   const auto nearest = [&](const Ray& ray) { return nearest_caster(ray, scratch); };
-  if (by_maps) return shadows_[light]->share_at({.position = fragment.at.position, .normal = fragment.smooth_normal, .to_light = traced.to_light}, nearest);
+  if (by_maps) return lights_[light].shadow->share_at({.position = fragment.at.position, .normal = fragment.smooth_normal, .to_light = traced.to_light}, nearest);
   const glm::dvec3& n = fragment.at.geometric_normal;
   const double off = kOffSurface * std::max(1.0, glm::length(fragment.at.position));
   const Ray ray{.origin = fragment.at.position + (glm::dot(n, traced.to_light) < 0 ? -off : off) * n, .direction = traced.to_light, .t_max = traced.distance - off};
@@ -167,61 +206,16 @@ ShareRange Imitation::share_of(const Fragment& fragment, std::size_t light, cons
   return {share, share};
 }
 
-LightRange Imitation::lit_at_fragment(const Fragment& fragment, bool by_maps, TraceScratch& scratch) const {
+LightRange Imitation::lit_at_fragment(const Place& place, const Fragment& fragment, Causes techniques, TraceScratch& scratch) const {
   LightRange sum = LightRange::of(glm::dvec3(fragment.material.reflection.ambient) * scene_->ambient());
   scratch.lights.clear();
-  scene_->lights(fragment.at.position, scratch.lights);
+  scene_->lights(fragment.at.position, scratch.lights, steps_between_pixels(place, fragment, techniques));
   const std::vector<tracer::TracedLight> lights = scratch.lights;
   for (std::size_t i = 0; i < lights.size(); ++i) {
     const glm::dvec3 sent = reflected(fragment.material, fragment.normal, fragment.to_eye, lights[i]);
-    if (largest(sent) > 0) sum.add(share_of(fragment, i, lights[i], by_maps, scratch), sent);
+    if (largest(sent) > 0) sum.add(share_of(fragment, i, lights[i], techniques.has(Cause::shadow_map), scratch), sent);
   }
   return sum;
-}
-
-glm::dvec3 Imitation::to_eye(const Ray& ray, const glm::dvec3& point) const { return grid_.is_parallel() ? -ray.direction : glm::normalize(ray.origin - point); }
-
-/// Flat, Gouraud and dot-product shading: the corners are lit.                                       [B 3.1, 3.2]
-LightRange Imitation::lit_at_vertices(const Ray& ray, const Hit& hit, TraceScratch& scratch) const {
-  const description::Shading shading = scene_->description().objects[static_cast<std::size_t>(scene_->object_of(hit.item))].shading;
-  std::vector<Fragment> corners;
-  for (const glm::dvec2 weights : {glm::dvec2(0, 0), glm::dvec2(1, 0), glm::dvec2(0, 1)}) {
-    Hit corner = hit;
-    corner.at = weights;
-    const SurfacePoint at = scene_->geometry().surface(ray, corner);
-    corners.push_back(fragment(hit, at, to_eye(ray, at.position), {}));
-  }
-  if (shading == description::Shading::dot_product) return lit_by_cosines(hit, corners, scratch);
-  const auto light_of = [&](const Fragment& corner) { return clamped(lit_at_fragment(corner, false, scratch).low); };
-  if (shading == description::Shading::flat) return LightRange::of(light_of(corners[0]));
-  const glm::dvec3 weights(1 - hit.at.x - hit.at.y, hit.at);
-  return LightRange::of(weights.x * light_of(corners[0]) + weights.y * light_of(corners[1]) + weights.z * light_of(corners[2]));
-}
-
-/// N.L and N.H, or R.V, of each light are interpolated; what a light loses on its way makes them smaller.        [B 3.4]
-LightRange Imitation::lit_by_cosines(const Hit& hit, const std::vector<Fragment>& corners, TraceScratch& scratch) const {
-  const ReflectionConstants& constants = corners[0].material.reflection;
-  const glm::dvec3 weights(1 - hit.at.x - hit.at.y, hit.at);
-  std::vector<glm::dvec2> cosines(intensities_.size(), glm::dvec2(0));
-  for (int k = 0; k < 3; ++k) {
-    const Fragment& corner = corners[static_cast<std::size_t>(k)];
-    scratch.lights.clear();
-    scene_->lights(corner.at.position, scratch.lights);
-    for (std::size_t i = 0; i < scratch.lights.size(); ++i) {
-      const glm::dvec3 &N = corner.normal, &L = scratch.lights[i].to_light, &V = corner.to_eye;
-      const double share = largest(intensities_[i]) > 0 ? largest(scratch.lights[i].intensity) / largest(intensities_[i]) : 0;
-      const double highlight = constants.model == Reflection::phong ? glm::dot(2 * glm::dot(N, L) * N - L, V) : glm::dot(N, glm::normalize(L + V));
-      const double power_of_share = constants.exponent > 0 ? std::pow(share, 1 / static_cast<double>(constants.exponent)) : 1;
-      cosines[i] += weights[k] * glm::dvec2(share * glm::dot(N, L), power_of_share * highlight);
-    }
-  }
-  glm::dvec3 sum = glm::dvec3(constants.ambient) * scene_->ambient();
-  for (std::size_t i = 0; i < cosines.size(); ++i) {
-    if (!(cosines[i].x > 0)) continue;
-    const double power = std::pow(std::max(cosines[i].y, 0.0), static_cast<double>(constants.exponent));
-    sum += intensities_[i] * (glm::dvec3(constants.diffuse) * cosines[i].x + glm::dvec3(constants.specular) * power);
-  }
-  return LightRange::of(sum);
 }
 
 /// What a mirror shows: 2 (N.V) N - V, with the normal as the pipeline has it.                              [A 1.4]
@@ -232,6 +226,8 @@ glm::dvec3 Imitation::mirrored(const Place& place, const Fragment& fragment, Cau
     const double off = kOffSurface * std::max(1.0, glm::length(fragment.at.position));
     const Ray ray{.origin = fragment.at.position + off * fragment.smooth_normal, .direction = R};
     if (tracer_.first_hit(ray, scratch)) return tracer_.radiance(ray, scratch);
+  } else if (!scene_->description().environment) {
+    return glm::dvec3(0);
   }
   if (!techniques.has(Cause::environment_map) || !environment_) return scene_->background(R, false);
   BlockDirections block{R, R, R};
@@ -249,16 +245,24 @@ glm::dvec3 Imitation::background(const Place& place, const Ray& ray, Causes tech
   return environment_->radiance(ray.direction, {direction(0, 0), direction(1, 0), direction(0, 1)});
 }
 
+/// Of what is not opaque, or clear, the share that goes straight on shows what is behind.
 LightRange Imitation::light(const Place& place, const Ray& ray, const Hit& hit, Causes techniques, TraceScratch& scratch) const {
   if (!hit) return LightRange::of(background(place, ray, techniques));
-  if (techniques.has(Cause::vertex_shading)) return lit_at_vertices(ray, hit, scratch);
   SurfacePoint at = scene_->geometry().surface(ray, hit);
+  const description::Material* described = material_of(hit);
+  if (described != nullptr && described->transmission != glm::vec3(0) && !techniques.has(Cause::transmission)) return LightRange::of(tracer_.radiance(ray, scratch));
   const bool by_block = techniques.has(Cause::mipmap);
   if (by_block && has_pattern(hit) && !material_of(hit)->bump) set_triangle_tangents(at, hit, ray);
   const Fragment here = fragment(hit, at, -ray.direction, by_block ? footprint_in_block(place, hit) : footprint_of_rays(place, at));
-  LightRange sum = lit_at_fragment(here, techniques.has(Cause::shadow_map), scratch);
-  if (largest(here.material.mirrored) > 0) sum.add(here.material.mirrored * mirrored(place, here, techniques, scratch));
-  return sum;
+  LightRange light = techniques.has(Cause::vertex_shading) && is_lit_at_vertices(hit) ? lit_at_vertices(place, ray, hit, scratch) : lit_at_fragment(place, here, techniques, scratch);
+  if (largest(here.material.mirrored) > 0) light.add(here.material.mirrored * mirrored(place, here, techniques, scratch));
+  if (here.material.alpha >= 1 && largest(here.material.transmitted) == 0) return light;
+  Ray beyond = ray;
+  beyond.t_min = hit.t;
+  const LightRange behind = this->light(place, beyond, tracer_.first_hit(beyond, scratch), techniques, scratch);
+  const double alpha = here.material.alpha;
+  const glm::dvec3 share = largest(here.material.transmitted) > 0 ? here.material.transmitted : glm::dvec3(1 - alpha);
+  return {alpha * light.low + share * behind.low, alpha * light.high + share * behind.high};
 }
 
 }  // namespace tuberia::witness

@@ -26,8 +26,8 @@ struct Place {
 
 class Imitation {
  public:
-  /// scene must outlive it. Errors: of the lights' views and of the environment's picture.
-  static Result<Imitation> create(const tracer::TracedScene& scene, const Camera& camera, const glm::ivec2& size_pixels);
+  /// scene must outlive it. Errors: of the lights' views and pictures, and of the environment's.
+  static Result<Imitation> create(const tracer::TracedScene& scene, const Camera& camera, const glm::ivec2& size_pixels, Workers& workers);
 
   tracer::Ray ray(const Place& place) const { return view_.ray(place.at(), true); }
 
@@ -47,20 +47,22 @@ class Imitation {
   };
   Imitation(const tracer::TracedScene& scene, const tracer::View& view, const PictureGrid& grid) : scene_(&scene), tracer_(scene), view_(view), grid_(grid) {}
 
+  bool is_lit_at_vertices(const tracer::Hit& hit) const;
   Place in_block(const Place& place, int i, int j) const;
   std::optional<tracer::SurfacePoint> on_triangle(const tracer::Hit& hit, const Place& place) const;
   glm::dvec3 to_eye(const tracer::Ray& ray, const glm::dvec3& point) const;
   tracer::TextureFootprint footprint_in_block(const Place& place, const tracer::Hit& hit) const;
+  tracer::PointFootprint steps_between_pixels(const Place& place, const Fragment& fragment, Causes techniques) const;
   tracer::TextureFootprint footprint_of_rays(const Place& place, const tracer::SurfacePoint& at) const;
   const description::Material* material_of(const tracer::Hit& hit) const;
   bool has_pattern(const tracer::Hit& hit) const;
   void set_triangle_tangents(tracer::SurfacePoint& at, const tracer::Hit& hit, const tracer::Ray& ray) const;
   Fragment fragment(const tracer::Hit& hit, const tracer::SurfacePoint& at, const glm::dvec3& to_eye, const tracer::TextureFootprint& footprint) const;
 
-  LightRange lit_at_fragment(const Fragment& fragment, bool by_maps, tracer::TraceScratch& scratch) const;
+  LightRange lit_at_fragment(const Place& place, const Fragment& fragment, Causes techniques, tracer::TraceScratch& scratch) const;
   ShareRange share_of(const Fragment& fragment, std::size_t light, const tracer::TracedLight& traced, bool by_maps, tracer::TraceScratch& scratch) const;
   double nearest_caster(const tracer::Ray& ray, tracer::TraceScratch& scratch) const;
-  LightRange lit_at_vertices(const tracer::Ray& ray, const tracer::Hit& hit, tracer::TraceScratch& scratch) const;
+  LightRange lit_at_vertices(const Place& place, const tracer::Ray& ray, const tracer::Hit& hit, tracer::TraceScratch& scratch) const;
   LightRange lit_by_cosines(const tracer::Hit& hit, const std::vector<Fragment>& corners, tracer::TraceScratch& scratch) const;
   glm::dvec3 mirrored(const Place& place, const Fragment& fragment, Causes techniques, tracer::TraceScratch& scratch) const;
   glm::dvec3 background(const Place& place, const tracer::Ray& ray, Causes techniques) const;
@@ -69,8 +71,15 @@ class Imitation {
   tracer::RayTracer tracer_;
   tracer::View view_;
   PictureGrid grid_;
-  std::vector<std::optional<RetracedShadow>> shadows_;  // of the tracer's lights, in their order
-  std::vector<glm::dvec3> intensities_;                 // of the same, without falloff and cone
+  /// What is known of one of the tracer's lights.
+  struct LightContent {
+    glm::dvec3 intensity;  // without falloff, cone and picture
+    std::optional<RetracedShadow> shadow{};
+    bool throws_picture = false;
+  };
+  static Result<std::vector<LightContent>> contents_of(const description::Light& light, const Bounds& seen);
+
+  std::vector<LightContent> lights_;  // in the tracer's order
   std::optional<EnvironmentLookUp> environment_;
 };
 

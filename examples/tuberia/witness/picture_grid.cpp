@@ -24,7 +24,7 @@ std::optional<glm::dvec2> PictureGrid::weights_at(const std::array<glm::dvec3, 3
   std::array<double, 3> w;
   for (std::size_t k = 0; k < 3; ++k) {
     const glm::dvec3 screen = screen_from_world(corners[k]);
-    if (!(screen.z > 0)) return std::nullopt;
+    if (!is_parallel_ && !(screen.z > view_.near_distance)) return std::nullopt;
     at[k] = {on_grid(screen.x), on_grid(screen.y)};
     w[k] = screen.z;
   }

@@ -21,7 +21,8 @@ class PictureGrid {
   glm::dvec3 screen_from_world(const glm::dvec3& point) const;
 
   /// The second and third corner's shares of what is interpolated at a place of the picture (pixels), perspective-correct,
-  /// with the corners on the grid; inside of the triangle or not. Nothing for a triangle that reaches behind the eye or has no area.
+  /// with the corners on the grid; inside of the triangle or not. Nothing for a triangle that reaches behind the near plane, which
+  /// is cut before it gets there, or has no area.
   std::optional<glm::dvec2> weights_at(const std::array<glm::dvec3, 3>& corners, const glm::dvec2& place) const;
 
  private:

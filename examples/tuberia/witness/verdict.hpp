@@ -10,8 +10,8 @@
 namespace tuberia::witness {
 
 /// Each is a hypothesis that is tested at the pixel itself, see kCauses.
-enum class Cause : std::uint8_t { edge, depth, shadow_map, mipmap, vertex_shading, environment_map, mirror_of_surroundings };
-inline constexpr int kCauseCount = 7;
+enum class Cause : std::uint8_t { edge, depth, shadow_map, mipmap, vertex_shading, environment_map, mirror_of_surroundings, transmission };
+inline constexpr int kCauseCount = 8;
 
 /// How the causes are shown together.
 enum class PixelClass : std::uint8_t { same, edge, depth, shadow_map, mipmap, technique, several, unexplained };
@@ -38,7 +38,7 @@ class Causes {
 struct PixelVerdict {
   bool differs = false;    // some channel by more than one code, or the objects are not the same
   bool explained = true;   // if it differs: the causes below, tested, give what the pipeline drew
-  Causes causes{};         // the fewest that do
+  Causes causes{};
 
   bool operator==(const PixelVerdict&) const = default;
 };
@@ -46,7 +46,7 @@ struct PixelVerdict {
 constexpr PixelClass class_of(const PixelVerdict& verdict) {
   if (!verdict.differs) return PixelClass::same;
   if (!verdict.explained) return PixelClass::unexplained;
-  if (verdict.causes.is_within(Causes(Cause::vertex_shading) | Cause::environment_map | Cause::mirror_of_surroundings)) return PixelClass::technique;
+  if (verdict.causes.is_within(Causes(Cause::vertex_shading) | Cause::environment_map | Cause::mirror_of_surroundings | Cause::transmission)) return PixelClass::technique;
   if (verdict.causes.count() != 1) return PixelClass::several;
   if (verdict.causes.has(Cause::edge)) return PixelClass::edge;
   if (verdict.causes.has(Cause::depth)) return PixelClass::depth;

@@ -128,7 +128,7 @@ Result<Comparison> compare_witnesses(const SceneDescription& drawn, const SceneD
   if (!scene) return scene.error();
   const auto camera = camera_of(traced.camera, static_cast<double>(options.size_pixels.x) / options.size_pixels.y);
   if (!camera) return Error{"camera: " + camera.error().message};
-  const auto imitation = Imitation::create(*scene, *camera, options.size_pixels);
+  const auto imitation = Imitation::create(*scene, *camera, options.size_pixels, workers);
   if (!imitation) return imitation.error();
   const tracer::RayTracer tracer(*scene);
   Traced by_rays = trace(tracer, *imitation, picture->development, workers, options);

@@ -22,7 +22,7 @@ constexpr const char* kHead = R"(<!doctype html>
   h2 { font-weight: 600; margin: 2.5rem 0 0; padding-top: 1rem; border-top: 1px solid #2b303a; }
   p, td { color: #aab0bb; }
   p { max-width: 54rem; }
-  .pictures { display: grid; grid-template-columns: repeat(auto-fit, minmax(22rem, 1fr)); gap: 1.25rem; margin-top: 1.25rem; }
+  .pictures { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(34rem, 100%), 1fr)); gap: 1.25rem; margin-top: 1.25rem; }
   figure { margin: 0; background: #1d2027; border-radius: 8px; overflow: hidden; }
   img { display: block; width: 100%; height: auto; image-rendering: pixelated; }
   figcaption { padding: .7rem 1rem 1rem; }
@@ -30,9 +30,12 @@ constexpr const char* kHead = R"(<!doctype html>
   table { border-collapse: collapse; margin-top: 1rem; }
   td, th { padding: .5rem .9rem .5rem 0; text-align: left; vertical-align: top; border-bottom: 1px solid #2b303a; }
   td.number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
-  .swatch { display: inline-block; width: .9em; height: .9em; border-radius: 3px; margin-right: .5em; vertical-align: -.1em; }
+  .swatch { display: inline-block; width: .9em; height: .9em; border-radius: 3px; margin-right: .5em; border: 1px solid #3b414d; vertical-align: -.1em; }
   .close { display: grid; grid-template-columns: repeat(auto-fill, minmax(25rem, 1fr)); gap: 1.25rem; margin-top: 1.25rem; }
   .close div { display: grid; grid-template-columns: 1fr 1fr 1fr; gap: 3px; }
+  .close span.one { position: relative; }
+  .close span.one::after { content: ""; position: absolute; left: 46.67%; top: 46.67%; width: 6.67%; height: 6.67%; outline: 1px solid #fff; }
+  .legend { white-space: nowrap; margin-right: 1rem; }
   .verdict { padding: .6rem 1rem; border-radius: 8px; max-width: 54rem; color: #14161b; font-weight: 600; }
   .confirmed { background: #50d28c; } .refuted { background: #ff6060; }
 </style>
@@ -104,7 +107,7 @@ std::string figure(const Image<Rgba8>& image, std::string_view title, std::strin
 std::string four_pictures(const Comparison& comparison, const Counts& counts) {
   std::string legend;
   for (const ClassWords& words : kClassWords)
-    if (counts.of(words.pixel_class) > 0) legend += swatch(words.pixel_class) + std::string(words.name) + " &nbsp; ";
+    if (counts.of(words.pixel_class) > 0) legend += "<span class=\"legend\">" + swatch(words.pixel_class) + std::string(words.name) + "</span> ";
   std::string html = "<div class=\"pictures\">\n";
   html += figure(comparison.drawn, "The pipeline", "Triangles, drawn in " + formatted("%.2f", comparison.drawing_seconds) + " s.");
   html += figure(comparison.traced, "The ray tracer", "The same triangles, one ray through the centre of each pixel and what follows from it, in double precision, in " +
@@ -128,7 +131,7 @@ std::string row_of_causes(Causes causes, std::int64_t count, const Counts& count
 }
 
 std::string table_of_causes(const Counts& counts) {
-  std::string html = "<h2>What differs, and why</h2>\n<p>Every pixel that differs is asked the questions below, one after the other, then several together, fewest first. "
+  std::string html = "<h2>What differs, and why</h2>\n<p>Every pixel that differs is asked the questions below, one after the other and several together, those that leave no room before edges and depths. "
                      "A cause counts only if what it makes of the tracer's ray, within one code, is what the pipeline drew.</p>\n"
                      "<table><tr><th>Cause</th><th>Pixels</th><th>What it means</th><th>How it was tested, pixel by pixel</th></tr>\n";
   for (const auto& [bits, count] : counts.of_causes) html += row_of_causes(Causes(bits), count, counts);
@@ -148,7 +151,7 @@ std::string close_up_of(const Comparison& comparison, const Image<Rgba8>& map, i
   const PixelVerdict& verdict = comparison.verdicts.at(x, y);
   const std::string why = verdict.explained ? name_of(verdict.causes) : "unexplained";
   std::string html = "<figure><div>";
-  for (const Image<Rgba8>* picture : {&comparison.drawn, &comparison.traced, &map}) html += "<img src=\"" + cli::data_url(close_up(*picture, x, y)) + "\" alt=\"close up\">";
+  for (const Image<Rgba8>* picture : {&comparison.drawn, &comparison.traced, &map}) html += "<span class=\"one\"><img src=\"" + cli::data_url(close_up(*picture, x, y)) + "\" alt=\"close up\"></span>";
   html += "</div><figcaption><strong>" + swatch(class_of(verdict)) + escaped(why) + "</strong>Pixel (" + std::to_string(x) + ", " + std::to_string(y) + "), in the middle: drawn " +
           codes(comparison.drawn.at(x, y)) + " (" + escaped(object_name(comparison, comparison.drawn_objects.at(x, y))) + "), traced " + codes(comparison.traced.at(x, y)) + " (" +
           escaped(object_name(comparison, comparison.traced_objects.at(x, y))) + ").</figcaption></figure>\n";
