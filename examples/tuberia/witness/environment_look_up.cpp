@@ -110,13 +110,14 @@ Result<EnvironmentLookUp> EnvironmentLookUp::create(const SceneDescription& scen
     made.add_levels(faces != nullptr ? std::move(*faces) : cube_of(surroundings_of(*std::move(picture)), environment.resolution));
   } else if (made.kind_ == LookUp::panorama) {
     auto* panorama = std::get_if<Image<Rgba32F>>(&*picture);
-    made.add_levels(panorama != nullptr ? std::move(*panorama) : panorama_of(surroundings_of(*std::move(picture)), 4 * environment.resolution, 2 * environment.resolution),
-                    panorama_surroundings);
+    const int height = 2 * environment.resolution;
+    made.add_levels(panorama != nullptr ? std::move(*panorama) : panorama_of(surroundings_of(*std::move(picture)), 2 * height, height), panorama_surroundings);
   } else {
     const auto basis = basis_of(camera);
     if (!basis) return basis.error();
     const glm::dmat3 world_from_view(basis->u, basis->v, basis->w);
-    made.add_levels(sphere_map_of(turned(surroundings_of(*std::move(picture)), made.map_from_world_ * world_from_view), 2 * environment.resolution), sphere_map_surroundings);
+    const Surroundings seen = turned(surroundings_of(*std::move(picture)), made.map_from_world_ * world_from_view);
+    made.add_levels(sphere_map_of(seen, 2 * environment.resolution), sphere_map_surroundings);
     made.map_from_world_ = glm::transpose(world_from_view);
   }
   return made;

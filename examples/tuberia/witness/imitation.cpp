@@ -125,7 +125,8 @@ std::optional<SurfacePoint> Imitation::on_triangle(const Hit& hit, const Place& 
 /// other pixel of the same row and column.
 tracer::TextureFootprint Imitation::footprint_in_block(const Place& place, const Hit& hit) const {
   const glm::ivec2 here = has_pattern(hit) ? glm::ivec2(place.pixel.x & 1, place.pixel.y & 1) : glm::ivec2(0);
-  const auto at = on_triangle(hit, in_block(place, here.x, here.y)), right = on_triangle(hit, in_block(place, 1 - here.x, here.y)), down = on_triangle(hit, in_block(place, here.x, 1 - here.y));
+  const auto in_block_at = [&](int i, int j) { return on_triangle(hit, in_block(place, i, j)); };
+  const auto at = in_block_at(here.x, here.y), right = in_block_at(1 - here.x, here.y), down = in_block_at(here.x, 1 - here.y);
   if (!at || !right || !down) return {};
   return {.right = right->texcoord - at->texcoord, .down = down->texcoord - at->texcoord};
 }
@@ -254,7 +255,8 @@ LightRange Imitation::light(const Place& place, const Ray& ray, const Hit& hit, 
   const bool by_block = techniques.has(Cause::mipmap);
   if (by_block && has_pattern(hit) && !material_of(hit)->bump) set_triangle_tangents(at, hit, ray);
   const Fragment here = fragment(hit, at, -ray.direction, by_block ? footprint_in_block(place, hit) : footprint_of_rays(place, at));
-  LightRange light = techniques.has(Cause::vertex_shading) && is_lit_at_vertices(hit) ? lit_at_vertices(place, ray, hit, scratch) : lit_at_fragment(place, here, techniques, scratch);
+  const bool by_vertices = techniques.has(Cause::vertex_shading) && is_lit_at_vertices(hit);
+  LightRange light = by_vertices ? lit_at_vertices(place, ray, hit, scratch) : lit_at_fragment(place, here, techniques, scratch);
   if (largest(here.material.mirrored) > 0) light.add(here.material.mirrored * mirrored(place, here, techniques, scratch));
   if (here.material.alpha >= 1 && largest(here.material.transmitted) == 0) return light;
   Ray beyond = ray;

@@ -71,7 +71,7 @@ ShareRange RetracedShadow::lit(const Picture& picture, const glm::dvec2& texel_m
   for (const glm::dvec2& beside : kAround) {
     const glm::dvec2 at = picture.upper_left + (texel_middle + beside) / static_cast<double>(shadow_.resolution) * picture.size;
     const glm::dvec3 across = at.x * picture.basis.u + at.y * picture.basis.v, ahead = -picture.basis.w;
-    tracer::Ray ray = picture.is_parallel ? tracer::Ray{.origin = picture.eye + across, .direction = ahead} : tracer::Ray{.origin = picture.eye, .direction = glm::normalize(ahead + across)};
+    tracer::Ray ray{.origin = picture.is_parallel ? picture.eye + across : picture.eye, .direction = picture.is_parallel ? ahead : glm::normalize(ahead + across)};
     const double forwards = glm::dot(ray.direction, ahead);
     ray.t_min = picture.near_distance / forwards;
     ray.t_max = picture.far_distance / forwards;
