@@ -21,6 +21,10 @@ rows(A 18 20)
 rows(A 27 37)
 # B: light, local reflection, shading, texture, roughness.
 rows(B 2 43)
+# A, B, C: ray tracing, its accelerators and its sampling.
+rows(A 40 47)
+rows(B 50 79)
+rows(C 40 45)
 # C: cameras; blending, buffers, rendering to textures.
 rows(C 7 7)
 rows(C 9 17)
