@@ -116,8 +116,10 @@ Result<std::vector<std::byte>> read_file(const fs::path& path) {
   return bytes;
 }
 
-Result<Nothing> write_file(const fs::path& path, std::span<const std::byte> bytes) {
-  // Replace what a link points to, not the link.
+namespace {
+
+/// What a link points to, not the link; what nothing speaks against yet.
+Result<fs::path> target_of(const fs::path& path) {
   std::error_code code;
   fs::path target = path;
   if (fs::is_symlink(fs::symlink_status(path, code))) {
@@ -125,9 +127,23 @@ Result<Nothing> write_file(const fs::path& path, std::span<const std::byte> byte
     if (code) return file_error("write", path, "it is a link to nowhere");
     target = linked;
   }
-  if (const std::string reason = why_not_writable(target); !reason.empty()) {
-    return file_error("write", path, reason);
-  }
+  if (const std::string reason = why_not_writable(target); !reason.empty()) return file_error("write", path, reason);
+  return target;
+}
+
+}  // namespace
+
+Result<Nothing> check_writable(const fs::path& path) {
+  const auto target = target_of(path);
+  if (!target) return target.error();
+  return Nothing{};
+}
+
+Result<Nothing> write_file(const fs::path& path, std::span<const std::byte> bytes) {
+  const auto found = target_of(path);
+  if (!found) return found.error();
+  const fs::path& target = *found;
+  std::error_code code;
 
   const fs::path temporary = temporary_beside(target);
   errno = 0;

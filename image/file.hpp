@@ -22,6 +22,9 @@ std::string lower_case_extension(const std::filesystem::path& path);
 /// Errors: the file is missing, a folder, a device, empty, or cannot be read.
 Result<std::vector<std::byte>> read_file(const std::filesystem::path& path);
 
+/// The errors of write_file that can be known before there is anything to write: for those who work long for it.
+Result<Nothing> check_writable(const std::filesystem::path& path);
+
 /// Makes or replaces a file whole or not at all: the bytes go to a temporary file in the same
 /// folder, which then takes the target's name. A symbolic link keeps pointing where it did.
 /// Errors: the folder is missing or not writable, the target is a folder or a device, the disk

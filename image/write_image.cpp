@@ -118,6 +118,12 @@ Result<Nothing> write_image(const std::filesystem::path& path, const Image<float
   return encode_and_write(path, image, ".pfm, .png");
 }
 
+Result<Nothing> check_picture_path(const std::filesystem::path& path) {
+  const std::string extension = lower_case_extension(path);
+  const bool is_known = !encode(Image<Rgba8>(1, 1), extension).empty() || !encode(Image<Rgba32F>(1, 1), extension).empty();
+  return is_known ? check_writable(path) : unknown_extension(path, ".png, .tga, .bmp, .ppm, .jpg, .pfm, .hdr");
+}
+
 std::vector<std::byte> encode_png(const Image<Rgba8>& image) { return encode(image, ".png"); }
 
 }  // namespace tuberia

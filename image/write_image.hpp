@@ -26,6 +26,10 @@ Result<Nothing> write_image(const std::filesystem::path& path, const Image<Rgba3
 /// Errors: as above.
 Result<Nothing> write_image(const std::filesystem::path& path, const Image<float>& image);
 
+/// The errors of writing a picture, as codes or as intensities, that can be known before it is made: an unknown extension, a
+/// missing folder, a folder as target.
+Result<Nothing> check_picture_path(const std::filesystem::path& path);
+
 /// The bytes of a PNG file, for those who keep it elsewhere. The image must not be empty.
 std::vector<std::byte> encode_png(const Image<Rgba8>& image);
 

@@ -6,6 +6,8 @@ cmake_minimum_required(VERSION 3.25)
 # Judges a project that consists of one file with one include.
 function(expect verdict file include)
   file(REMOVE_RECURSE ${SCRATCH})
+  # Beside it the witnesses include a file that includes nothing yet.
+  file(WRITE ${SCRATCH}/reference/witness.cpp "#include \"scene/between.hpp\"\n")
   file(WRITE ${SCRATCH}/${file} "#pragma once\n  # include ${include}  // why not\n")
   execute_process(COMMAND ${CMAKE_COMMAND} -D ROOT=${SCRATCH} -P ${CMAKE_CURRENT_LIST_DIR}/architecture.cmake
                   RESULT_VARIABLE status OUTPUT_QUIET ERROR_VARIABLE output)
@@ -40,6 +42,8 @@ expect(refused raster/setup.cpp "\"pipeline/state.hpp\"")
 expect(refused reference/oracle.cpp "\"raster/coverage.hpp\"")
 expect(refused reference/oracle.cpp "\"pipeline/state.hpp\"")
 expect(refused scene/mesh.hpp "\"reference/oracle.hpp\"")
+expect(refused scene/between.hpp "\"pipeline/state.hpp\"")
+expect(allowed scene/beside.hpp "\"pipeline/state.hpp\"")
 expect(refused examples/gallery.cpp "\"tests/helpers.hpp\"")
 expect(allowed reference/oracle.cpp "\"scene/mesh.hpp\"")
 expect(allowed tests/golden/teapot_test.cpp "\"reference/oracle.hpp\"")

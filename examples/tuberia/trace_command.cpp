@@ -13,6 +13,8 @@
 #include "examples/tuberia/picture_options.hpp"
 #include "examples/tuberia/render_model.hpp"
 #include "examples/tuberia/render_scene.hpp"
+#include "image/file.hpp"
+#include "image/write_image.hpp"
 #include "reference/ray_tracer/ray_tree.hpp"
 #include "reference/ray_tracer/render.hpp"
 #include "scene/content/scene_camera.hpp"
@@ -93,6 +95,11 @@ Result<Nothing> check(const TraceArguments& arguments) {
   if (!is_scene_file(arguments.scene)) return Error{"'" + arguments.scene + "' is no scene: rays are traced through scene files, .json"};
   if (arguments.pixel.empty() != arguments.tree.empty()) return Error{arguments.tree.empty() ? "--pixel goes with --tree, a file for its rays" : "--tree goes with --pixel, whose rays it shows"};
   if (arguments.output.empty() && arguments.tree.empty()) return Error{"--output or --tree is required: a file to write"};
+  if (!std::isfinite(arguments.time)) return Error{"--time is not a number"};
+  // What cannot be written is not traced first.
+  if (!arguments.output.empty())
+    if (const auto good = check_picture_path(arguments.output); !good) return good;
+  if (!arguments.tree.empty()) return check_writable(arguments.tree);
   return Nothing{};
 }
 
@@ -117,7 +124,9 @@ Result<Nothing> write_tree(const TraceArguments& arguments, const tracer::RayTra
   if (!pixel) return pixel.error();
   tracer::TraceScratch scratch;
   tracer::RayTree tree;
-  const glm::dvec3 light = tracer.radiance(view.ray(glm::dvec2(*pixel) + 0.5), scratch, &tree);
+  const glm::dvec2 centre = glm::dvec2(*pixel) + 0.5;
+  const tracer::NeighbourRays neighbours{.right = view.ray(centre + glm::dvec2(1, 0)), .down = view.ray(centre + glm::dvec2(0, 1))};
+  const glm::dvec3 light = tracer.radiance(view.ray(centre), scratch, &tree, &neighbours);
   if (const auto written = write_ray_tree(arguments.tree, tree); !written) return written.error();
   std::printf("%s: %s rays, light %.6g %.6g %.6g\n", arguments.tree.c_str(), with_commas(static_cast<std::int64_t>(tree.rays().size())).c_str(), light.r, light.g, light.b);
   return Nothing{};
@@ -153,7 +162,7 @@ Result<Nothing> trace(const TraceArguments& arguments, SceneDescription descript
 
   Workers workers(arguments.threads);
   const auto kind = arguments.surfaces == "tessellated" ? tracer::SurfaceKind::tessellated : tracer::SurfaceKind::exact;
-  const auto scene = TracedScene::create(std::move(description), workers, {.surfaces = kind, .accelerator = accelerator_named(arguments.accelerator)});
+  const auto scene = TracedScene::create(std::move(description), workers, {.surfaces = kind, .accelerator = accelerator_named(arguments.accelerator), .time = arguments.time});
   if (!scene) return scene.error();
   for (const std::string& warning : scene->warnings()) std::fprintf(stderr, "tuberia: warning: %s\n", warning.c_str());
 
@@ -201,7 +210,7 @@ Run add_trace(CLI::App& parent, CLI::App*& command) {
   command->add_option("--threads", arguments->threads, "0: one a core")->check(CLI::Range(0, 1024));
   command->add_option("--time", arguments->time, "How far the scene's camera has moved")->check(CLI::Range(0.0, 1.0));
   command->add_flag("--stats", arguments->statistics, "Print what was traced");
-  command->add_option("--pixel", arguments->pixel, "X,Y from the upper left corner: the pixel whose rays --tree shows")->group("Ray tree");
+  command->add_option("--pixel", arguments->pixel, "X,Y from the upper left corner: --tree shows the ray through its centre, and all that come of it")->group("Ray tree");
   command->add_option("--tree", arguments->tree, "File for them: .dot, .json or .svg")->group("Ray tree");
   add_sampling_options(*command, *arguments);
   return [arguments, command] { return run_trace(*arguments, *command); };

@@ -50,6 +50,10 @@ TEST_CASE("tuberia trace: refuses bad input in one line and leaves no file", "[e
                               {"glass.json -o out.png --threads -1", "--threads"},
                               {"glass.json -o out.png --least-weight 2", "--least-weight"},
                               {"glass.json -o out.png --time 2", "--time"},
+                              {"glass.json -o out.png --time nan", "--time"},
+                              {"missing.json -o out.xyz", ".pfm"},                  // before anything is read
+                              {"missing.json -o none/out.png", "no such folder"},
+                              {"missing.json --pixel 1,2 --tree none/out.svg", "no such folder"},
                               {"glass.json -o out.png --size 0x5", "0x5"},
                               {"glass.json -o out.png --size 99999x5", "99999x5"},
                               {"glass.json -o out.png --size large", "large"},
@@ -87,6 +91,25 @@ TEST_CASE("tuberia trace: the same picture on any number of threads, by any acce
   }
   REQUIRE(trace("glass.json -o light.pfm --samples 9 --adaptive --filter gaussian", folder).status == 0);
   CHECK(read_float_image(folder / "light.pfm")->width() == 40);
+}
+
+TEST_CASE("tuberia trace: textures know where the camera is at that time", "[examples][A44]") {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "floor.json") << R"({"image": {"width": 48, "height": 36}, "ambient": 1,
+    "camera": {"eye": [0, 2, 9], "look_at": [0, 0, 0], "motions": [{"type": "dolly", "distance": 6}]},
+    "textures": {"squares": {"source": "checker", "squares": 64, "level_rule": "distance", "texel_distance": 2}},
+    "materials": {"tiles": {"texture": "squares"}}, "objects": [{"shape": {"type": "plane", "width": 20, "depth": 20}, "material": "tiles"}]})";
+  for (const char* time : {"0", "1"}) {
+    REQUIRE(trace(std::string("floor.json -o traced.png --surfaces tessellated --time ") + time, folder).status == 0);
+    REQUIRE(test::run_program(std::string("render floor.json -o drawn.png --time ") + time, folder, TUBERIA_PROGRAM).status == 0);
+    const auto traced = read_image(folder / "traced.png"), drawn = read_image(folder / "drawn.png");
+    REQUIRE(traced);
+    REQUIRE(drawn);
+    int different = 0;
+    for (std::size_t i = 0; i < drawn->pixels().size(); ++i) different += std::abs(traced->pixels()[i].r - drawn->pixels()[i].r) > 3;
+    INFO("at time " << time);
+    CHECK(different < 20);
+  }
 }
 
 TEST_CASE("tuberia trace: writes the tree of a pixel's rays", "[examples][B55]") {
