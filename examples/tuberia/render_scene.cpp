@@ -44,6 +44,7 @@ Result<Nothing> check_scene_options(const CLI::App& command) {
 }
 
 int render_scene(const SceneArguments& arguments, const PipelineOptions& options) {
+  if (const auto good = check_picture_path(arguments.output); !good) return fail(good.error().message);
   auto scene = read_scene(arguments.scene);
   if (!scene) return fail(scene.error().message);
   if (arguments.supersampling) scene->picture.supersampling = *arguments.supersampling;
