@@ -66,6 +66,13 @@ TEST_CASE("tracer witness: the page needs no other file and says each cause", "[
   for (const char* name : {"edge", "environment map + mirror of the surroundings alone", "edge + shadow-map texel"}) CHECK(page.find(std::string("</span>") + name + "</td>") != std::string::npos);
 }
 
+TEST_CASE("tracer witness: remarks are on the page and in the summary", "[Y5][tracer_witness]") {
+  Comparison comparison = made_up_comparison();
+  comparison.remarks = {"object 0 'ball' is <blended>"};
+  CHECK(page_of(comparison).find("<p>object 0 'ball' is &lt;blended></p>") != std::string::npos);
+  CHECK(summary_of(comparison).find("  note: object 0 'ball' is <blended>\n") != std::string::npos);
+}
+
 TEST_CASE("tracer witness: the summary has a line for each set of causes", "[Y5][tracer_witness]") {
   const std::string summary = summary_of(made_up_comparison());
   CHECK(occurrences(summary, "\n") == 1 + 3 + 3 + 1 + 1);

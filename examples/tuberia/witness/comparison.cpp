@@ -42,6 +42,7 @@ std::string summary_of(const Comparison& comparison) {
   text += line("  that differ", counts.differing(), share(counts.differing()));
   for (const auto& [bits, count] : counts.of_causes) text += line("    " + name_of(Causes(bits)), count, share(count));
   text += line("    unexplained", counts.of(PixelClass::unexplained), share(counts.of(PixelClass::unexplained)));
+  for (const std::string& remark : comparison.remarks) text += "  note: " + remark + "\n";
   return text + (is_confirmed(counts) ? "  confirmed\n" : "  NOT confirmed\n");
 }
 

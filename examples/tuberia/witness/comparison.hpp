@@ -17,6 +17,7 @@ struct Comparison {
   Image<int> drawn_objects, traced_objects;
   Image<PixelVerdict> verdicts;
   std::vector<std::string> object_names;
+  std::vector<std::string> remarks{};  // what the scene has that cannot be confirmed, in words
   double drawing_seconds = 0, tracing_seconds = 0, explaining_seconds = 0;
 };
 

@@ -96,6 +96,14 @@ LightRange Explaining::light(const Sight& sight, Causes techniques, tracer::Trac
   return LightRange::of(tracer_.radiance(sight.ray, scratch, nullptr, &neighbours));
 }
 
+/// Whether a clear body that is drawn as rays see it brings by the tracer what its parts give without any technique. If not, another
+/// technique's imitation would only put right what the tracer has wrong.
+bool Explaining::is_told_truly(const Sight& sight, tracer::TraceScratch& scratch) const {
+  if (!imitation_.is_clear(sight.hit) || techniques_along(sight, scratch).has(Cause::transmission)) return true;
+  const LightRange by_parts = imitation_.light(sight.place, sight.ray, sight.hit, {}, scratch);
+  return development_.may_be(development_.code(light(sight, {}, scratch).low), by_parts);
+}
+
 /// Whether the drawn colour lies between those of the sights that see the drawn object.
 bool Explaining::gives(const DrawnPixel& drawn, const Sights& sights, Causes techniques, tracer::TraceScratch& scratch) const {
   LightRange range;
@@ -109,17 +117,18 @@ bool Explaining::gives(const DrawnPixel& drawn, const Sights& sights, Causes tec
 
 /// Of what a ray meets, and behind what is not opaque.
 Causes Explaining::techniques_along(Sight sight, tracer::TraceScratch& scratch) const {
-  Causes techniques = imitation_.techniques_of(sight.hit);
+  Causes techniques = imitation_.techniques_of(sight.place, sight.ray, sight.hit, scratch);
   while (sight.hit && tracer_.scene().lets_light_through(sight.hit.item)) {
     sight.ray.t_min = sight.hit.t;
     sight.hit = tracer_.first_hit(sight.ray, scratch);
-    techniques = techniques | imitation_.techniques_of(sight.hit);
+    techniques = techniques | imitation_.techniques_of(sight.place, sight.ray, sight.hit, scratch);
   }
   return techniques;
 }
 
 PixelVerdict Explaining::verdict(const glm::ivec2& pixel, const DrawnPixel& drawn, tracer::TraceScratch& scratch) const {
   const Sights centre{nearest({.pixel = pixel}, scratch)};
+  if (!is_told_truly(centre.front(), scratch)) return {.differs = true, .explained = false, .causes = {}};
   Sights beside = around(pixel, scratch), behind = centre;
   Causes techniques;
   for (const Sight& sight : beside) techniques = techniques | techniques_along(sight, scratch);

@@ -61,6 +61,7 @@ class Explaining {
   int object_of(const Sight& sight) const;
   Causes techniques_along(Sight sight, tracer::TraceScratch& scratch) const;
   LightRange light(const Sight& sight, Causes techniques, tracer::TraceScratch& scratch) const;
+  bool is_told_truly(const Sight& sight, tracer::TraceScratch& scratch) const;
   bool gives(const DrawnPixel& drawn, const Sights& sights, Causes techniques, tracer::TraceScratch& scratch) const;
 
   const Imitation& imitation_;

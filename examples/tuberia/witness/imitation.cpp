@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "examples/tuberia/witness/departing.hpp"
 #include "examples/tuberia/witness/traced_cube.hpp"
 #include "scene/frame/frame_lights.hpp"
 
@@ -14,8 +15,6 @@ using tracer::Hit;
 using tracer::Ray;
 using tracer::SurfacePoint;
 using tracer::TraceScratch;
-
-constexpr double kOffSurface = 1e-9;  // of the size of the numbers: where shadow rays begin
 
 /// A box around all triangles.
 Bounds bounds_of(const tracer::Geometry& geometry) {
@@ -83,27 +82,6 @@ Result<Imitation> Imitation::create(const tracer::TracedScene& scene, const Came
   return made;
 }
 
-bool Imitation::is_lit_at_vertices(const Hit& hit) const {
-  return scene_->description().objects[static_cast<std::size_t>(scene_->object_of(hit.item))].shading != description::Shading::phong;
-}
-
-Causes Imitation::techniques_of(const Hit& hit) const {
-  if (!hit) return environment_ && scene_->description().environment->shown ? Causes(Cause::environment_map) : Causes();
-  if (is_lit_at_vertices(hit)) return Cause::vertex_shading;
-  Causes causes;
-  for (const LightContent& light : lights_) {
-    if (light.shadow) causes = causes | Cause::shadow_map;
-    if (light.throws_picture) causes = causes | Cause::mipmap;
-  }
-  const description::Material* material = material_of(hit);
-  if (material == nullptr) return causes | Cause::mipmap;  // of a model file: its own
-  if (!material->texture.empty() || material->pattern || material->bump) causes = causes | Cause::mipmap;
-  if (material->mirror != glm::vec3(0)) causes = causes | Cause::mirror_of_surroundings;
-  if (material->mirror != glm::vec3(0) && environment_) causes = causes | Cause::environment_map;
-  if (material->transmission != glm::vec3(0)) causes = causes | Cause::transmission;
-  return causes;
-}
-
 /// Pixel (i, j) of the 2 x 2 block that a place's pixel belongs to, moved as the place is.
 Place Imitation::in_block(const Place& place, int i, int j) const {
   return {.pixel = glm::ivec2((place.pixel.x & ~1) + i, (place.pixel.y & ~1) + j), .offset = place.offset};
@@ -147,12 +125,6 @@ tracer::PointFootprint Imitation::steps_between_pixels(const Place& place, const
   return {.right = right->position - at->position, .down = down->position - at->position};
 }
 
-/// Null for the default one, and for those that are named in a model's file.
-const description::Material* Imitation::material_of(const Hit& hit) const {
-  const SceneDescription& description = scene_->description();
-  return find_material(description, description.objects[static_cast<std::size_t>(scene_->object_of(hit.item))].material);
-}
-
 /// A colour that is computed.
 bool Imitation::has_pattern(const Hit& hit) const {
   const description::Material* material = material_of(hit);
@@ -184,13 +156,22 @@ Imitation::Fragment Imitation::fragment(const Hit& hit, const SurfacePoint& at, 
   return made;
 }
 
+/// As the pipeline has it at the place: a pattern's steps are those on the very triangle, relief has the surface's tangents.
+Imitation::Fragment Imitation::fragment_in_block(const Place& place, const Hit& hit, const SurfacePoint& at, const Ray& ray) const {
+  const tracer::TextureFootprint footprint = footprint_in_block(place, hit);
+  Fragment made = fragment(hit, at, -ray.direction, footprint);
+  if (!has_pattern(hit)) return made;
+  SurfacePoint on_triangle = at;
+  set_triangle_tangents(on_triangle, hit, ray);
+  made.material.reflection = scene_->material(hit.item, on_triangle, footprint).reflection;
+  return made;
+}
+
 /// Of what casts shadows in the pipeline: all that is not blended.
 double Imitation::nearest_caster(const Ray& ray, TraceScratch& scratch) const {
   Ray beyond = ray;
   for (Hit hit = scene_->accelerator().nearest(beyond, scratch.traversal); hit; hit = scene_->accelerator().nearest(beyond, scratch.traversal)) {
-    const description::Material* material = material_of(hit);
-    const bool is_blended = material != nullptr && (material->alpha < 1 || material->transmission != glm::vec3(0));
-    if (scene_->casts_shadow(hit.item) && !is_blended) return hit.t;
+    if (scene_->casts_shadow(hit.item) && !is_blended(hit)) return hit.t;
     beyond.t_min = hit.t;
   }
   return tracer::kInfinity;
@@ -200,10 +181,7 @@ ShareRange Imitation::share_of(const Fragment& fragment, std::size_t light, cons
   if (!lights_[light].shadow) return {1, 1};
   const auto nearest = [&](const Ray& ray) { return nearest_caster(ray, scratch); };
   if (by_maps) return lights_[light].shadow->share_at({.position = fragment.at.position, .normal = fragment.smooth_normal, .to_light = traced.to_light}, nearest);
-  const glm::dvec3& n = fragment.at.geometric_normal;
-  const double off = kOffSurface * std::max(1.0, glm::length(fragment.at.position));
-  const Ray ray{.origin = fragment.at.position + (glm::dot(n, traced.to_light) < 0 ? -off : off) * n, .direction = traced.to_light, .t_max = traced.distance - off};
-  const double share = std::isfinite(nearest(ray)) ? 0 : 1;
+  const double share = std::isfinite(nearest(leaving(fragment.at, traced.to_light, traced.distance))) ? 0 : 1;
   return {share, share};
 }
 
@@ -219,9 +197,9 @@ LightRange Imitation::lit_at_fragment(const Place& place, const Fragment& fragme
   return sum;
 }
 
-/// What a mirror shows: 2 (N.V) N - V, with the normal as the pipeline has it.                              [A 1.4]
+/// What a mirror shows.                                                                                     [A 1.4]
 glm::dvec3 Imitation::mirrored(const Place& place, const Fragment& fragment, Causes techniques, TraceScratch& scratch) const {
-  const auto direction = [](const Fragment& at) { return glm::normalize(2 * glm::dot(at.normal, at.to_eye) * at.normal - at.to_eye); };
+  const auto direction = [](const Fragment& at) { return mirror_direction(at.normal, at.to_eye); };
   const glm::dvec3 R = direction(fragment);
   if (!techniques.has(Cause::mirror_of_surroundings)) {
     const double off = kOffSurface * std::max(1.0, glm::length(fragment.at.position));
@@ -247,21 +225,19 @@ glm::dvec3 Imitation::background(const Place& place, const Ray& ray, Causes tech
 }
 
 /// Of what is not opaque, or clear, the share that goes straight on shows what is behind.
-LightRange Imitation::light(const Place& place, const Ray& ray, const Hit& hit, Causes techniques, TraceScratch& scratch) const {
+LightRange Imitation::light(const Place& place, const Ray& ray, const Hit& hit, Causes techniques, TraceScratch& scratch, RayFrom from) const {
   if (!hit) return LightRange::of(background(place, ray, techniques));
-  SurfacePoint at = scene_->geometry().surface(ray, hit);
-  const description::Material* described = material_of(hit);
-  if (described != nullptr && described->transmission != glm::vec3(0) && !techniques.has(Cause::transmission)) return LightRange::of(tracer_.radiance(ray, scratch));
-  const bool by_block = techniques.has(Cause::mipmap);
-  if (by_block && has_pattern(hit) && !material_of(hit)->bump) set_triangle_tangents(at, hit, ray);
-  const Fragment here = fragment(hit, at, -ray.direction, by_block ? footprint_in_block(place, hit) : footprint_of_rays(place, at));
+  const SurfacePoint at = scene_->geometry().surface(ray, hit);
+  const tracer::TextureFootprint by_rays = from == RayFrom::eye ? footprint_of_rays(place, at) : tracer::TextureFootprint{};
+  const Fragment here = techniques.has(Cause::mipmap) ? fragment_in_block(place, hit, at, ray) : fragment(hit, at, -ray.direction, by_rays);
+  if (is_clear(hit) && here.material.refractive_index != 1 && !techniques.has(Cause::transmission)) return LightRange::of(tracer_.radiance(ray, scratch));
   const bool by_vertices = techniques.has(Cause::vertex_shading) && is_lit_at_vertices(hit);
-  LightRange light = by_vertices ? lit_at_vertices(place, ray, hit, scratch) : lit_at_fragment(place, here, techniques, scratch);
+  LightRange light = by_vertices ? lit_at_vertices(place, ray, here, scratch) : lit_at_fragment(place, here, techniques, scratch);
   if (largest(here.material.mirrored) > 0) light.add(here.material.mirrored * mirrored(place, here, techniques, scratch));
   if (here.material.alpha >= 1 && largest(here.material.transmitted) == 0) return light;
   Ray beyond = ray;
   beyond.t_min = hit.t;
-  const LightRange behind = this->light(place, beyond, tracer_.first_hit(beyond, scratch), techniques, scratch);
+  const LightRange behind = this->light(place, beyond, tracer_.first_hit(beyond, scratch), techniques, scratch, is_clear(hit) ? RayFrom::clear_body : from);
   const double alpha = here.material.alpha;
   const glm::dvec3 share = largest(here.material.transmitted) > 0 ? here.material.transmitted : glm::dvec3(1 - alpha);
   return {alpha * light.low + share * behind.low, alpha * light.high + share * behind.high};

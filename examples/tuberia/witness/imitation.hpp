@@ -24,6 +24,9 @@ struct Place {
   glm::dvec2 at() const { return glm::dvec2(pixel) + 0.5 + offset; }
 };
 
+/// Only what the eye sees straight has neighbours: rays through clear bodies read textures at their finest.
+enum class RayFrom : std::uint8_t { eye, clear_body };
+
 class Imitation {
  public:
   /// scene must outlive it. Errors: of the lights' views and pictures, and of the environment's.
@@ -31,11 +34,15 @@ class Imitation {
 
   tracer::Ray ray(const Place& place) const { return view_.ray(place.at(), true); }
 
-  /// Which techniques might matter to what a ray meets, or to the background.
-  Causes techniques_of(const tracer::Hit& hit) const;
+  /// Which techniques might matter to what the ray of a place meets, or to the background.
+  Causes techniques_of(const Place& place, const tracer::Ray& ray, const tracer::Hit& hit, tracer::TraceScratch& scratch) const;
+
+  /// Light goes through and on.
+  bool is_clear(const tracer::Hit& hit) const;
 
   /// What the ray of a place that meets `hit` brings, with these of the techniques; edges and depths are up to the caller.
-  LightRange light(const Place& place, const tracer::Ray& ray, const tracer::Hit& hit, Causes techniques, tracer::TraceScratch& scratch) const;
+  LightRange light(const Place& place, const tracer::Ray& ray, const tracer::Hit& hit, Causes techniques, tracer::TraceScratch& scratch,
+                   RayFrom from = RayFrom::eye) const;
 
  private:
   /// A point of a triangle, lit or not.
@@ -48,6 +55,9 @@ class Imitation {
   Imitation(const tracer::TracedScene& scene, const tracer::View& view, const PictureGrid& grid) : scene_(&scene), tracer_(scene), view_(view), grid_(grid) {}
 
   bool is_lit_at_vertices(const tracer::Hit& hit) const;
+  bool is_drawn_otherwise(const Fragment& fragment, tracer::TraceScratch& scratch) const;
+  bool has_clear_caster(const Fragment& fragment, tracer::TraceScratch& scratch) const;
+  bool mirrors_object(const Fragment& fragment, tracer::TraceScratch& scratch) const;
   Place in_block(const Place& place, int i, int j) const;
   std::optional<tracer::SurfacePoint> on_triangle(const tracer::Hit& hit, const Place& place) const;
   glm::dvec3 to_eye(const tracer::Ray& ray, const glm::dvec3& point) const;
@@ -55,14 +65,19 @@ class Imitation {
   tracer::PointFootprint steps_between_pixels(const Place& place, const Fragment& fragment, Causes techniques) const;
   tracer::TextureFootprint footprint_of_rays(const Place& place, const tracer::SurfacePoint& at) const;
   const description::Material* material_of(const tracer::Hit& hit) const;
+  bool is_blended(const tracer::Hit& hit) const;
   bool has_pattern(const tracer::Hit& hit) const;
+  bool has_texture(const tracer::Hit& hit) const;
   void set_triangle_tangents(tracer::SurfacePoint& at, const tracer::Hit& hit, const tracer::Ray& ray) const;
   Fragment fragment(const tracer::Hit& hit, const tracer::SurfacePoint& at, const glm::dvec3& to_eye, const tracer::TextureFootprint& footprint) const;
 
+  Fragment fragment_in_block(const Place& place, const tracer::Hit& hit, const tracer::SurfacePoint& at, const tracer::Ray& ray) const;
   LightRange lit_at_fragment(const Place& place, const Fragment& fragment, Causes techniques, tracer::TraceScratch& scratch) const;
   ShareRange share_of(const Fragment& fragment, std::size_t light, const tracer::TracedLight& traced, bool by_maps, tracer::TraceScratch& scratch) const;
   double nearest_caster(const tracer::Ray& ray, tracer::TraceScratch& scratch) const;
-  LightRange lit_at_vertices(const Place& place, const tracer::Ray& ray, const tracer::Hit& hit, tracer::TraceScratch& scratch) const;
+  LightRange lit_at_vertices(const Place& place, const tracer::Ray& ray, const Fragment& here, tracer::TraceScratch& scratch) const;
+  Fragment without_texture(Fragment fragment) const;
+  glm::dvec3 texel_of(const Fragment& fragment) const;
   LightRange lit_by_cosines(const tracer::Hit& hit, const std::vector<Fragment>& corners, tracer::TraceScratch& scratch) const;
   glm::dvec3 mirrored(const Place& place, const Fragment& fragment, Causes techniques, tracer::TraceScratch& scratch) const;
   glm::dvec3 background(const Place& place, const tracer::Ray& ray, Causes techniques) const;

@@ -47,7 +47,7 @@ Result<CubeImages> traced_cube(const SceneDescription& scene, const description:
         tracer::Ray ray = imitation->ray(place);
         const tracer::Hit hit = first_seen(tracer, ray, scratch);
         // A camera's picture is the face mirrored left to right.
-        image.at(size - 1 - x, static_cast<int>(row)) = texel_of(imitation->light(place, ray, hit, imitation->techniques_of(hit), scratch).low);
+        image.at(size - 1 - x, static_cast<int>(row)) = texel_of(imitation->light(place, ray, hit, kAllCauses, scratch).low);
       }
     });
   }

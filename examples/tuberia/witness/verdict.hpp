@@ -35,6 +35,8 @@ class Causes {
   std::uint8_t bits_ = 0;
 };
 
+inline constexpr Causes kAllCauses{(1u << kCauseCount) - 1};
+
 struct PixelVerdict {
   bool differs = false;    // some channel by more than one code, or the objects are not the same
   bool explained = true;   // if it differs: the causes below, tested, give what the pipeline drew

@@ -112,11 +112,23 @@ std::vector<std::string> names_of_objects(const SceneDescription& scene) {
   return names;
 }
 
+/// The order in which surfaces are blended is no question of formulas: nothing imitates it.
+std::vector<std::string> remarks_on(const SceneDescription& scene) {
+  std::vector<std::string> remarks;
+  for (const description::Object& object : scene.objects) {
+    const description::Material* material = find_material(scene, object.material);
+    if (material != nullptr && material->alpha < 1)
+      remarks.push_back(name_of_object(scene, object) + " is blended: where several of its surfaces lie one behind the other, the pipeline blends them in the order of its triangles, "
+                                                        "rays in the order of depth. Such pixels stay unexplained.");
+  }
+  return remarks;
+}
+
 }  // namespace
 
 Result<Comparison> compare_witnesses(const SceneDescription& drawn, const SceneDescription& traced, const WitnessOptions& options) {
   Comparison comparison{.title = drawn.title, .source = drawn.source, .file = {}, .drawn = {}, .traced = {}, .drawn_objects = {}, .traced_objects = {}, .verdicts = {},
-                        .object_names = names_of_objects(drawn)};
+                        .object_names = names_of_objects(drawn), .remarks = remarks_on(drawn)};
   auto begin = std::chrono::steady_clock::now();
   auto picture = draw(drawn, options);
   if (!picture) return picture.error();

@@ -191,6 +191,7 @@ std::string page_of(const Comparison& comparison) {
   page += std::string("<p class=\"verdict ") + (is_confirmed(counts) ? "confirmed\">Confirmed: " : "refuted\">Not confirmed: ") + "the same object at " +
           formatted("%.3f %%", 100 * counts.same_objects()) + " of the pixels, " + std::to_string(counts.differing()) + " pixels differ by more than one code, " +
           std::to_string(counts.of(PixelClass::unexplained)) + " of them unexplained.</p>\n";
+  for (const std::string& remark : comparison.remarks) page += "<p>" + escaped(remark) + "</p>\n";
   return page + four_pictures(comparison, counts) + table_of_causes(counts) + close_ups(comparison) + "</body>\n</html>\n";
 }
 
