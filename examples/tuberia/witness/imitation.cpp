@@ -197,13 +197,17 @@ LightRange Imitation::lit_at_fragment(const Place& place, const Fragment& fragme
   return sum;
 }
 
+Ray Imitation::mirrored_ray(const Fragment& fragment) {
+  const double off = kOffSurface * std::max(1.0, glm::length(fragment.at.position));
+  return {.origin = fragment.at.position + off * fragment.smooth_normal, .direction = mirror_direction(fragment.normal, fragment.to_eye)};
+}
+
 /// What a mirror shows.                                                                                     [A 1.4]
 glm::dvec3 Imitation::mirrored(const Place& place, const Fragment& fragment, Causes techniques, TraceScratch& scratch) const {
   const auto direction = [](const Fragment& at) { return mirror_direction(at.normal, at.to_eye); };
   const glm::dvec3 R = direction(fragment);
   if (!techniques.has(Cause::mirror_of_surroundings)) {
-    const double off = kOffSurface * std::max(1.0, glm::length(fragment.at.position));
-    const Ray ray{.origin = fragment.at.position + off * fragment.smooth_normal, .direction = R};
+    const Ray ray = mirrored_ray(fragment);
     if (tracer_.first_hit(ray, scratch)) return tracer_.radiance(ray, scratch);
   } else if (!scene_->description().environment) {
     return glm::dvec3(0);

@@ -58,6 +58,7 @@ class Imitation {
   bool is_drawn_otherwise(const Fragment& fragment, tracer::TraceScratch& scratch) const;
   bool has_clear_caster(const Fragment& fragment, tracer::TraceScratch& scratch) const;
   bool mirrors_object(const Fragment& fragment, tracer::TraceScratch& scratch) const;
+  static tracer::Ray mirrored_ray(const Fragment& fragment);
   Place in_block(const Place& place, int i, int j) const;
   std::optional<tracer::SurfacePoint> on_triangle(const tracer::Hit& hit, const Place& place) const;
   glm::dvec3 to_eye(const tracer::Ray& ray, const glm::dvec3& point) const;

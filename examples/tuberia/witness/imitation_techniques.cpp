@@ -57,7 +57,7 @@ bool Imitation::is_drawn_otherwise(const Fragment& fragment, TraceScratch& scrat
 }
 
 bool Imitation::mirrors_object(const Fragment& fragment, TraceScratch& scratch) const {
-  return static_cast<bool>(tracer_.first_hit(leaving(fragment.at, mirror_direction(fragment.normal, fragment.to_eye), tracer::kInfinity), scratch));
+  return static_cast<bool>(tracer_.first_hit(mirrored_ray(fragment), scratch));
 }
 
 Causes Imitation::techniques_of(const Place& place, const Ray& ray, const Hit& hit, TraceScratch& scratch) const {
@@ -75,7 +75,9 @@ Causes Imitation::techniques_of(const Place& place, const Ray& ray, const Hit& h
   if (material->mirror != glm::vec3(0) && environment_) causes = causes | Cause::environment_map;
   const SurfacePoint at = scene_->geometry().surface(ray, hit);
   const Fragment here = fragment(hit, at, -ray.direction, footprint_of_rays(place, at));
-  if (material->mirror != glm::vec3(0) && (!environment_ || mirrors_object(here, scratch))) causes = causes | Cause::mirror_of_surroundings;
+  // Relief has another normal by the block's steps.
+  const auto is_mirrored = [&] { return mirrors_object(here, scratch) || (causes.has(Cause::mipmap) && mirrors_object(fragment_in_block(place, hit, at, ray), scratch)); };
+  if (material->mirror != glm::vec3(0) && (!environment_ || is_mirrored())) causes = causes | Cause::mirror_of_surroundings;
   if (is_clear(hit) && is_drawn_otherwise(here, scratch)) causes = causes | Cause::transmission;
   return causes;
 }
