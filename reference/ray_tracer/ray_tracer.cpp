@@ -173,7 +173,7 @@ struct Tracing {
     Ray ray = shadow.ray;
     scratch.bodies.clear();
     const bool starts_inside = glm::dot(ray.direction, m.at.geometric_normal) < 0 && largest(m.material.transmitted) > 0;
-    if (starts_inside && scene.casts_shadow(m.hit.item)) share = scratch.bodies.share(m.material, scene.object_of(m.hit.item), 0, true);
+    if (starts_inside && scene.casts_shadow(m.hit.item)) scratch.bodies.start_behind(m.material, scene.object_of(m.hit.item));
     while (const Hit hit = nearest(ray, shadow.skipped_item)) {
       ray.t_min = hit.t;
       if (!scene.casts_shadow(hit.item)) continue;
@@ -183,6 +183,21 @@ struct Tracing {
       if (material.is_cut_out) continue;
       const bool comes_in = glm::dot(ray.direction, at.geometric_normal) < 0;
       share *= (1 - material.alpha) + material.alpha * scratch.bodies.share(material, scene.object_of(hit.item), hit.t, comes_in);
+    }
+    return share * share_around_light(shadow);
+  }
+
+  /// What the bodies that the light itself is in absorb: those that the ray leaves beyond it. Of others it has met a sheet.
+  double share_around_light(const Branch& shadow) {
+    double share = 1;
+    const double t_light = shadow.ray.t_max;
+    Ray beyond{.origin = shadow.ray.origin, .direction = shadow.ray.direction, .t_min = t_light};
+    while (scratch.bodies.may_absorb()) {
+      const Hit hit = nearest(beyond, shadow.skipped_item);
+      if (!hit) break;
+      const SurfacePoint at = scene.geometry().surface(beyond, hit);
+      share *= scratch.bodies.share_around_light(scene.object_of(hit.item), t_light, glm::dot(beyond.direction, at.geometric_normal) > 0);
+      beyond.t_min = hit.t;
     }
     return share;
   }

@@ -96,7 +96,7 @@ void object_keys(Keys& keys, Object& object) {
 void picture_keys(Keys& keys, Picture& picture) {
   keys.whole({"width", "pixels"}, picture.width, 1, 16384);
   keys.whole({"height", "pixels"}, picture.height, 1, 16384);
-  keys.whole({"supersampling", "samples each way for every pixel, whose mean it is"}, picture.supersampling, 1, 16);
+  keys.whole({"supersampling", "samples each way for every pixel, whose mean it is; traced pictures have trace.samples"}, picture.supersampling, 1, 16);
   keys.colour({"background", "where there is nothing else"}, picture.background);
   keys.number({"exposure_stops", "all intensities times 2 to this power"}, picture.exposure_stops, within(-30, 30));
   keys.choice({"overflow", "what becomes of intensities above 1: cut off, the picture divided by its largest, or each pixel by its largest channel"},
@@ -133,8 +133,8 @@ void camera_keys(Keys& keys, Camera& camera) {
              [&] { keys.number({"fovy_degrees", "the vertical opening"}, camera.fovy_degrees, inside(0, 180)); });
   keys.where("type is orthographic", camera.kind == Camera::Kind::orthographic,
              [&] { keys.number({"height", "what the picture's height shows, world units"}, camera.height, above(0)); });
-  keys.number({"near", "distance of the near plane, world units"}, camera.near_distance, above(0));
-  keys.number({"far", "distance of the far plane, world units"}, camera.far_distance, above(0));
+  keys.number({"near", "distance of the near plane, world units; traced rays start at the eye"}, camera.near_distance, above(0));
+  keys.number({"far", "distance of the far plane, world units; traced rays have no end"}, camera.far_distance, above(0));
   keys.require("far", camera.near_distance < camera.far_distance, "is not beyond near");
   keys.list({"motions", "what it does while the time runs from 0 to 1"}, camera.motions, motion_keys);
 }

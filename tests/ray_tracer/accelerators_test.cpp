@@ -62,7 +62,7 @@ TEST_CASE("accelerators: without one, every ray asks every item", "[accelerators
   CHECK(none->facts().volumes == 0);
 }
 
-TEST_CASE("accelerators: rays that are none meet nothing", "[accelerators][case65]") {
+TEST_CASE("accelerators: rays that are none meet nothing", "[accelerators][case-65]") {
   Workers workers(1);
   const double nan = std::nan("");
   const std::vector<Ray> unsound{{.direction = {0, 0, 0}},

@@ -55,7 +55,10 @@ void trace_some(const TracedScene& scene, test::Random& random) {
   for (int i = 0; i < 24; ++i) {
     const glm::dvec3 from = i % 3 == 0 ? glm::dvec3(0, 0, 0) : glm::dvec3(0, 1.5, 6), to(number_between(random, -3, 3), number_between(random, -1, 2), number_between(random, -3, 3));
     scratch.rays_of_this_eye_ray = 0;
-    tracer.radiance({.origin = from, .direction = glm::normalize(to - from)}, scratch);
+    const glm::dvec3 light = tracer.radiance({.origin = from, .direction = glm::normalize(to - from)}, scratch);
+    CAPTURE(from.y, to.x, to.y, to.z, light.x, light.y, light.z);
+    CHECK((std::isfinite(light.x) && std::isfinite(light.y) && std::isfinite(light.z)));
+    CHECK(std::min({light.x, light.y, light.z}) >= -1e-12);
   }
 }
 
