@@ -17,6 +17,8 @@ inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 struct Ray {
   glm::dvec3 origin{0, 0, 0}, direction{0, 0, -1};
   double t_min = 0, t_max = kInfinity;
+  // A ray that goes on behind a surface meets others at the same place: at t_min itself items from this number on. Accelerators look.
+  std::int64_t first_item_at_t_min = std::numeric_limits<std::int64_t>::max();
 
   glm::dvec3 at(double t) const noexcept { return origin + t * direction; }
 };

@@ -46,7 +46,8 @@ struct Meeting {
 /// What one piece of a ray brings, and which share of what is behind it.
 struct Seen {
   glm::dvec3 light{0};
-  double through = 0, t = 0;
+  double through = 0;
+  Hit hit;
 };
 
 /// One eye ray and all that it spawns.
@@ -66,7 +67,7 @@ struct Tracing {
       const Seen seen = see(branch, is_of_eye);
       light += through * seen.light;
       through *= seen.through;
-      branch.ray.t_min = seen.t;
+      if (through > 0) scene.go_on_behind(seen.hit, branch.ray);
       branch.kind = RayKind::straight;
       branch.parent = branch.node;
       branch.weight *= seen.through;
@@ -76,7 +77,8 @@ struct Tracing {
 
   Hit nearest(const Ray& ray, std::int64_t skipped_item) {
     Hit hit = scene.accelerator().nearest(ray, scratch.traversal);
-    for (Ray beyond = ray; hit && hit.item == skipped_item; hit = scene.accelerator().nearest(beyond, scratch.traversal)) beyond.t_min = hit.t;
+    for (Ray beyond = ray; hit && hit.item == skipped_item; hit = scene.accelerator().nearest(beyond, scratch.traversal))
+      scene.go_on_behind(hit, beyond);
     return hit;
   }
 
@@ -98,7 +100,7 @@ struct Tracing {
     if (!hit) return ended(RayEnd::escaped, scene.background(branch.ray.direction, is_of_eye));
     const Meeting m = meet(branch.ray, hit, is_of_eye);
     if (tree) tree->meet(branch.node, scene.description().objects[static_cast<std::size_t>(scene.object_of(hit.item))].name, hit.t, m.at.position);
-    seen.t = hit.t;
+    seen.hit = hit;
     seen.through = m.material.is_cut_out ? 1 : 1 - m.material.alpha;
     if (m.material.is_cut_out) return ended(RayEnd::branched, glm::dvec3(0));
     RayEnd why = RayEnd::nothing_to_follow;
@@ -175,7 +177,7 @@ struct Tracing {
     const bool starts_inside = glm::dot(ray.direction, m.at.geometric_normal) < 0 && largest(m.material.transmitted) > 0;
     if (starts_inside && scene.casts_shadow(m.hit.item)) scratch.bodies.start_behind(m.material, scene.object_of(m.hit.item));
     while (const Hit hit = nearest(ray, shadow.skipped_item)) {
-      ray.t_min = hit.t;
+      scene.go_on_behind(hit, ray);
       if (!scene.casts_shadow(hit.item)) continue;
       if (!scene.lets_light_through(hit.item) || !(largest(share) > 0)) return glm::dvec3(0);
       const SurfacePoint at = scene.geometry().surface(ray, hit);
@@ -197,7 +199,7 @@ struct Tracing {
       if (!hit) break;
       const SurfacePoint at = scene.geometry().surface(beyond, hit);
       share *= scratch.bodies.share_around_light(scene.object_of(hit.item), t_light, glm::dot(beyond.direction, at.geometric_normal) > 0);
-      beyond.t_min = hit.t;
+      scene.go_on_behind(hit, beyond);
     }
     return share;
   }
@@ -223,7 +225,7 @@ Hit RayTracer::first_hit(const Ray& ray, TraceScratch& scratch) const {
   Hit hit = scene_.accelerator().nearest(ray, scratch.traversal);
   for (Ray beyond = ray; hit && scene_.lets_light_through(hit.item); hit = scene_.accelerator().nearest(beyond, scratch.traversal)) {
     if (!scene_.material(hit.item, scene_.geometry().surface(beyond, hit)).is_cut_out) break;
-    beyond.t_min = hit.t;
+    scene_.go_on_behind(hit, beyond);
   }
   return hit;
 }

@@ -28,8 +28,10 @@ class TracedSceneBuilder {
     if (const auto checked = check_scene(scene()); !checked) return checked.error();
     if (const auto ready = prepare_camera(); !ready) return ready.error();
     traced_.geometry_ = std::make_unique<Geometry>();
-    for (const description::Object& object : scene().objects)
+    for (const description::Object& object : scene().objects) {
       if (const auto added = add(object); !added) return added.error();
+      traced_.end_of_object_.push_back(traced_.geometry_->count());
+    }
     if (const auto ready = prepare_lights(); !ready) return ready.error();
     if (const auto ready = prepare_surroundings(); !ready) return ready.error();
     traced_.has_only_opaque_casters_ = std::all_of(traced_.parts_.begin(), traced_.parts_.end(), [&](const TracedScene::Part& part) {

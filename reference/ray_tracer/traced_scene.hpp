@@ -41,6 +41,11 @@ class TracedScene {
   int object_of(std::int64_t item) const noexcept { return part(item).object; }  // its index in the description
   bool casts_shadow(std::int64_t item) const noexcept { return scene_.objects[static_cast<std::size_t>(object_of(item))].casts_shadow; }
   bool lets_light_through(std::int64_t item) const noexcept { return part(item).material.lets_light_through(); }  // kt > 0, alpha < 1 or cut out somewhere
+  /// The ray goes on behind what it has met: other objects at the same distance come next, in the order of the description.
+  void go_on_behind(const Hit& hit, Ray& ray) const noexcept {
+    ray.t_min = hit.t;
+    ray.first_item_at_t_min = end_of_object_[static_cast<std::size_t>(object_of(hit.item))];
+  }
   /// Everything casts shadows, and all of it is opaque: then anything in a light's way stops all of it.
   bool has_only_opaque_casters() const noexcept { return has_only_opaque_casters_; }
 
@@ -70,6 +75,7 @@ class TracedScene {
   SceneDescription scene_;
   std::unique_ptr<Geometry> geometry_;
   std::vector<Part> parts_;
+  std::vector<std::int64_t> end_of_object_;  // the item after its last
   std::vector<LightSource> lights_;
   Surroundings surroundings_;  // without a radiance: nothing but the picture's background
   std::unique_ptr<Accelerator> accelerator_;

@@ -2,6 +2,7 @@
 
 #include "reference/ray_tracer/accelerators/accelerator.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <span>
@@ -60,6 +61,44 @@ TEST_CASE("accelerators: without one, every ray asks every item", "[accelerators
   for (const Ray& ray : awkward_rays(scene, 50, 3)) none->nearest(ray, traversal);
   CHECK(traversal.work == TraversalWork{.rays = 50, .item_tests = 5000, .volume_tests = 0});
   CHECK(none->facts().volumes == 0);
+}
+
+TEST_CASE("accelerators: a ray that goes on meets everything in order, what is at the same place, too", "[accelerators][C40]") {
+  Workers workers(1);
+  for (const SimpleScene& scene : awkward_scenes()) {
+    const auto none = make_accelerator(AcceleratorKind::none, scene.items, workers);
+    for (const AcceleratorKind kind : kAccelerators) {
+      CAPTURE(scene.name, static_cast<int>(kind));
+      const auto accelerator = make_accelerator(kind, scene.items, workers);
+      Traversal traversal;
+      for (Ray ray : awkward_rays(scene, 20, 4)) {
+        int steps = 0;
+        for (Hit hit; (hit = accelerator->nearest(ray, traversal)) && steps < 40; ++steps) {
+          REQUIRE(hit == none->nearest(ray, traversal));
+          REQUIRE(accelerator->any(ray, traversal));
+          REQUIRE((hit.t > ray.t_min || (hit.t == ray.t_min && hit.item >= ray.first_item_at_t_min)));
+          ray.t_min = hit.t;
+          ray.first_item_at_t_min = hit.item + 1;
+        }
+      }
+    }
+  }
+  // 300 spheres in one place: each by its number where the ray comes in, and again where it goes out.
+  const std::vector<SimpleScene> scenes = awkward_scenes();
+  const auto same = std::find_if(scenes.begin(), scenes.end(), [](const SimpleScene& scene) { return scene.name == "all the same"; });
+  REQUIRE(same != scenes.end());
+  for (const AcceleratorKind kind : kAccelerators) {
+    const auto accelerator = make_accelerator(kind, same->items, workers);
+    Traversal traversal;
+    Ray ray{.origin = {0.3, 0.2, 3}, .direction = {0, 0, -1}};
+    for (int i = 0; i < 600; ++i) {
+      const Hit hit = accelerator->nearest(ray, traversal);
+      REQUIRE(hit.item == i % 300);
+      ray.t_min = hit.t;
+      ray.first_item_at_t_min = hit.item + 1;
+    }
+    CHECK(!accelerator->nearest(ray, traversal));
+  }
 }
 
 TEST_CASE("accelerators: rays that are none meet nothing", "[accelerators][case-65]") {

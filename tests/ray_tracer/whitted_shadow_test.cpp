@@ -165,4 +165,26 @@ TEST_CASE("ray tracer: a body around the lamp takes kt, and its density as far a
   CHECK(bottom.light.x == Approx(std::exp(-3 * 1.5)));
 }
 
+TEST_CASE("ray tracer: behind a surface others at the same place are met", "[ray_tracer][C40][B76]") {
+  const char* const veil = R"({"shape": {"type": "plane"}, "material": "veil", "transforms": [{"translate": [0, 1, 0]}]})";
+  const char* const lid = R"({"shape": {"type": "plane"}, "material": "lid", "transforms": [{"translate": [0, 1, 0]}]})";
+  const auto scene = [](const char* first, const char* second, AcceleratorKind kind, SurfaceKind surfaces) {
+    return whitted_scene(whitted_text(R"({"image": {"background": 100}, "ambient": 1, "lights": [{"type": "directional", "towards": [0, 1, 0], "shadow": {}}],
+      "materials": {"floor": {"model": "lambert", "diffuse": 1, "ambient": 0}, "veil": {"alpha": 0.5, "ambient": 0.5, "diffuse": 0, "specular": 0}, "lid": {"ambient": 0.25, "diffuse": 0, "specular": 0}},
+      "objects": [)", first, ",", second, R"(, {"shape": {"type": "plane", "width": 20, "depth": 20}, "material": "floor"}]})"), {.surfaces = surfaces, .accelerator = kind});
+  };
+  for (const SurfaceKind surfaces : {SurfaceKind::exact, SurfaceKind::tessellated})
+    for (const AcceleratorKind kind : {AcceleratorKind::none, AcceleratorKind::bounding_spheres, AcceleratorKind::bvh, AcceleratorKind::grid, AcceleratorKind::octree}) {
+      CAPTURE(static_cast<int>(kind), static_cast<int>(surfaces));
+      const Ray from_above{.origin = {0.1, 4, 0.2}, .direction = {0, -1, 0}}, at_floor = whitted_towards({4, 0.5, 0}, {0.1, 0, 0.2});
+      // The first of the two is seen first: half of the veil and half of the lid, or the lid alone.
+      CHECK(whitted_ray(scene(veil, lid, kind, surfaces), from_above).light.x == Approx(0.5 * 0.5 + 0.5 * 0.25));
+      CHECK(whitted_ray(scene(lid, veil, kind, surfaces), from_above).light.x == Approx(0.25));
+      // No light leaks through the lid, and two veils take twice.
+      CHECK(whitted_ray(scene(veil, lid, kind, surfaces), at_floor).light.x == 0);
+      CHECK(whitted_ray(scene(lid, veil, kind, surfaces), at_floor).light.x == 0);
+      CHECK(whitted_ray(scene(veil, veil, kind, surfaces), at_floor).light.x == Approx(0.25));
+    }
+}
+
 }  // namespace tuberia::tracer

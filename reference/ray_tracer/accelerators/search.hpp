@@ -1,6 +1,7 @@
 #pragma once
 // What all accelerators share: asking items, counting, and the items without bounds.        [B 5.7]
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -13,7 +14,9 @@ class Search {
  public:
   /// A search for anything ends with its first hit. The ray is sound.
   Search(const Items& items, const Ray& ray, Traversal& traversal, bool for_anything) noexcept
-      : items_(items), ray_(ray), traversal_(traversal), for_anything_(for_anything) {}
+      : items_(items), ray_(ray), traversal_(traversal), t_min_(ray.t_min), t_min_of_later_(just_before(ray)), for_anything_(for_anything) {
+    ray_.ray.t_min = t_min_of_later_;
+  }
 
   const Ray& ray() const noexcept { return ray_.ray; }
   const Hit& nearest() const noexcept { return nearest_; }
@@ -24,6 +27,7 @@ class Search {
   void ask_all() noexcept;
   void ask(std::uint32_t item) noexcept {
     ++traversal_.work.item_tests;
+    ray_.ray.t_min = item < ray_.ray.first_item_at_t_min ? t_min_ : t_min_of_later_;
     items_.intersect(item, ray_, nearest_);
   }
   /// Unless this ray has asked it before: for items that are in several voxels. After open_mailboxes.
@@ -36,9 +40,15 @@ class Search {
   void count_volume() noexcept { ++traversal_.work.volume_tests; }
 
  private:
+  /// From where on items are met that are at the ray's t_min itself; its t_min if none may be.
+  static double just_before(const Ray& ray) noexcept {
+    return ray.first_item_at_t_min == Ray{}.first_item_at_t_min ? ray.t_min : std::nextafter(ray.t_min, -kInfinity);
+  }
+
   const Items& items_;
   PreparedRay ray_;
   Traversal& traversal_;
+  double t_min_, t_min_of_later_;
   Hit nearest_;
   bool for_anything_;
 };
