@@ -108,7 +108,8 @@ struct Tracing {
     return ended(seen.through > 0 && why == RayEnd::nothing_to_follow ? RayEnd::branched : why, m.material.alpha * light);
   }
 
-  Meeting meet(const Ray& ray, const Hit& hit, bool is_of_eye) const {
+  // Not inlined, like the local model: what only they need would lie on the stack for as long as rays are followed from here.
+  [[gnu::noinline]] Meeting meet(const Ray& ray, const Hit& hit, bool is_of_eye) const {
     const SurfacePoint at = scene.geometry().surface(ray, hit);
     const glm::dvec3 V = -glm::normalize(ray.direction);
     const bool is_inside = glm::dot(at.geometric_normal, V) < 0;
@@ -138,7 +139,7 @@ struct Tracing {
   }
 
   /// ka Ia + sum of V(p, q_i) Ip_i [kd (N.L_i) + ks ...].                                                    [B 5-2] [A 2.2]
-  glm::dvec3 local_model(const Meeting& m, const Branch& branch) {
+  [[gnu::noinline]] glm::dvec3 local_model(const Meeting& m, const Branch& branch) {
     const ReflectionConstants& constants = m.material.reflection;
     const bool is_turned = m.material.two_sided && glm::dot(m.at.normal, m.V) < 0;
     const glm::dvec3 N = is_turned ? -m.material.normal : m.material.normal;
