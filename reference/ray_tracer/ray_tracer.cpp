@@ -210,7 +210,6 @@ struct Tracing {
     return {.ray = start.ray, .kind = kind, .level = from.level + 1, .parent = from.node, .weight = m.material.alpha * coefficient * from.weight,
             .skipped_item = start.skips_surface ? m.hit.item : -1};
   }
-
 };
 
 }  // namespace
