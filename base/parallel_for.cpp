@@ -6,6 +6,7 @@
 
 #include <atomic>
 #include <cstddef>
+#include <exception>
 #include <mutex>
 #include <optional>
 #include <set>
@@ -99,13 +100,22 @@ void Workers::run(std::int64_t count, void* body, Call call) {
 
 #if TUBERIA_PLAIN_THREADS
   std::atomic<std::int64_t> next{0};
+  std::mutex mutex;
+  std::exception_ptr failure;  // the first
   const auto work = [&](int worker) {
-    for (std::int64_t item = next++; item < count; item = next++) call(body, item, worker);
+    try {
+      for (std::int64_t item = next++; item < count; item = next++) call(body, item, worker);
+    } catch (...) {
+      next = count;
+      const std::lock_guard lock(mutex);
+      if (!failure) failure = std::current_exception();
+    }
   };
   std::vector<std::thread> others;
   for (int worker = 1; worker < thread_count_; ++worker) others.emplace_back(work, worker);
   work(0);
   for (std::thread& other : others) other.join();
+  if (failure) std::rethrow_exception(failure);
 #else
   arena_->arena.execute([&] {
     tbb::parallel_for(

@@ -1,5 +1,5 @@
 #pragma once
-// The only way the library uses threads.
+// The only way the library gets threads.
 
 #include <cstdint>
 #include <memory>

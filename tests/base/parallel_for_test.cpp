@@ -6,6 +6,7 @@
 #include <atomic>
 #include <chrono>
 #include <memory>
+#include <new>
 #include <thread>
 #include <vector>
 
@@ -83,6 +84,16 @@ TEST_CASE("parallel_for: workers with few threads leave others theirs", "[base][
   CHECK(how_many_meet(seven, 7) == 7);
   CHECK(how_many_meet(nine, 9) == 9);
   CHECK(how_many_meet(two, 2) == 2);
+}
+
+TEST_CASE("parallel_for: what an item throws reaches the caller, and the next loop is whole", "[base][threads]") {
+  Workers workers(4);
+  for (int repeat = 0; repeat < 50; ++repeat) {
+    CHECK_THROWS_AS(parallel_for(workers, 1000, [&](std::int64_t item, int) { if (item == 7 * repeat) throw std::bad_alloc(); }), std::bad_alloc);
+    std::atomic<int> calls{0};
+    parallel_for(workers, 100, [&](std::int64_t, int) { ++calls; });
+    CHECK(calls == 100);
+  }
 }
 
 TEST_CASE("parallel_for: zero threads means one per core", "[base][threads]") {
