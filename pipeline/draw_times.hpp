@@ -35,9 +35,8 @@ struct TileTimes {
   std::chrono::steady_clock::time_point begin{};
 };
 
-/// Chunks in parallel, then, when all are done, tiles in parallel.
+/// Chunks in parallel, then, when all are done, tiles in parallel, perhaps beside chunks of the next batch.
 struct BatchTimes {
-  std::int64_t first_primitive = 0, primitives_per_chunk = 1;
   std::vector<ChunkTimes> chunks;
   std::vector<TileTimes> tiles;  // of the target, row by row; those without work take next to nothing
 };
@@ -45,7 +44,8 @@ struct BatchTimes {
 /// One draw, or several one after the other.
 struct DrawTimes {
   Nanoseconds validation = 0;
-  std::vector<BatchTimes> batches;
+  Nanoseconds bookkeeping = 0;      // making room for what follows: no draw without a clock takes it
+  std::vector<BatchTimes> batches;  // of each draw, in the order of its primitives
 };
 
 /// Fills in DrawTimes. A stage that is done together with the next one is counted there. Costs one
@@ -55,19 +55,24 @@ class ClockTap {
   static constexpr bool kWatches = false;  // the draw takes the way it would take unwatched
   explicit ClockTap(DrawTimes& times) noexcept : times_(times) {}
 
-  void begin_batch(std::int64_t first_primitive, std::int64_t per_chunk, std::int64_t chunks, int tiles) const {
-    times_.batches.push_back({.first_primitive = first_primitive, .primitives_per_chunk = per_chunk,
-                              .chunks = std::vector<ChunkTimes>(static_cast<std::size_t>(chunks)),
-                              .tiles = std::vector<TileTimes>(static_cast<std::size_t>(tiles))});
+  /// All times are there before the first chunk begins: the threads are not all in the same batch.
+  void begin_draw(const BatchPlan& plan, int tiles) {
+    const Clock::time_point begin = Clock::now();
+    plan_ = plan;
+    first_batch_ = times_.batches.size();
+    for (std::int64_t batch = 0; batch < plan.batches(); ++batch)
+      times_.batches.push_back({.chunks = std::vector<ChunkTimes>(static_cast<std::size_t>(plan.chunks(batch))),
+                                .tiles = std::vector<TileTimes>(static_cast<std::size_t>(tiles))});
+    times_.bookkeeping += nanoseconds(Clock::now() - begin);
   }
 
   // Every chunk and every tile has one owner, so none of these meet.
   void begin(const Chunk& chunk) const noexcept { times_of(chunk).last = Clock::now(); }
   void fetched(const Chunk& chunk) const noexcept { add(TimedStage::fetch, chunk); }
   void after(Stage stage, const Chunk& chunk) const noexcept { add(static_cast<TimedStage>(static_cast<int>(stage) + 1), chunk); }
-  void begin_tile(std::int64_t number) const noexcept { times_of(number).begin = Clock::now(); }
-  void end_tile(std::int64_t number) const noexcept {
-    TileTimes& tile = times_of(number);
+  void begin_tile(std::int64_t batch, std::int64_t number) const noexcept { times_of(batch, number).begin = Clock::now(); }
+  void end_tile(std::int64_t batch, std::int64_t number) const noexcept {
+    TileTimes& tile = times_of(batch, number);
     tile.total += nanoseconds(Clock::now() - tile.begin);
   }
 
@@ -81,11 +86,12 @@ class ClockTap {
   static Nanoseconds nanoseconds(Clock::duration duration) noexcept {
     return std::chrono::duration_cast<std::chrono::nanoseconds>(duration).count();
   }
+  BatchTimes& times_of(std::int64_t batch) const noexcept { return times_.batches[first_batch_ + static_cast<std::size_t>(batch)]; }
   ChunkTimes& times_of(const Chunk& chunk) const noexcept {
-    BatchTimes& batch = times_.batches.back();
-    return batch.chunks[static_cast<std::size_t>((chunk.range.first - batch.first_primitive) / batch.primitives_per_chunk)];
+    const std::int64_t number = chunk.range.first / plan_.primitives_per_chunk;
+    return times_of(number / plan_.chunks_per_batch).chunks[static_cast<std::size_t>(number % plan_.chunks_per_batch)];
   }
-  TileTimes& times_of(std::int64_t tile) const noexcept { return times_.batches.back().tiles[static_cast<std::size_t>(tile)]; }
+  TileTimes& times_of(std::int64_t batch, std::int64_t tile) const noexcept { return times_of(batch).tiles[static_cast<std::size_t>(tile)]; }
   void add(TimedStage stage, const Chunk& chunk) const noexcept {
     ChunkTimes& times = times_of(chunk);
     const Clock::time_point now = Clock::now();
@@ -94,6 +100,8 @@ class ClockTap {
   }
 
   DrawTimes& times_;
+  BatchPlan plan_;
+  std::size_t first_batch_ = 0;  // of this draw, in times_
 };
 
 }  // namespace tuberia

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "pipeline/batch_plan.hpp"
 #include "pipeline/chunk.hpp"
 #include "pipeline/validate.hpp"
 #include "raster/fragment_block.hpp"
@@ -71,11 +72,11 @@ class Observers : public Observer {
 /// What the stages are compiled with when nobody watches: nothing.
 struct NoTap {
   static constexpr bool kWatches = false;
-  static void begin_batch(std::int64_t, std::int64_t, std::int64_t, int) noexcept {}
+  static void begin_draw(const BatchPlan&, int) noexcept {}
   static void begin(const Chunk&) noexcept {}
   static void fetched(const Chunk&) noexcept {}
-  static void begin_tile(std::int64_t) noexcept {}
-  static void end_tile(std::int64_t) noexcept {}
+  static void begin_tile(std::int64_t, std::int64_t) noexcept {}
+  static void end_tile(std::int64_t, std::int64_t) noexcept {}
   static void after(Stage, const Chunk&) noexcept {}
   static void before(Stage, const Chunk&, const FragmentBlock&, const Tile&) noexcept {}
   static void after(Stage, const Chunk&, const FragmentBlock&, const Tile&) noexcept {}

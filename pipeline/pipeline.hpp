@@ -20,6 +20,13 @@ struct PipelineOptions {
   Precision precision = Precision::exact;
 };
 
+/// What a pipeline keeps from draw to draw, for its memory.
+struct DrawMemory {
+  std::vector<std::unique_ptr<Chunk>> chunks;
+  TargetVisibility visibility;                     // what the fused loops remember of every tile
+  std::vector<std::vector<FragmentBlock>> blocks;  // the staged loops' scratch memory, one a worker
+};
+
 class Pipeline {
  public:
   /// The instruction set must be supported by this machine.
@@ -46,13 +53,11 @@ class Pipeline {
 
  private:
   template <class Tap>
-  DrawStatistics run(RenderTarget&, const DrawCall&, const AcceptedDraw&, Workers&, const Tap&);
+  DrawStatistics run(RenderTarget&, const DrawCall&, const AcceptedDraw&, Workers&, Tap);
 
   PipelineOptions options_;
   Workers workers_;
-  std::vector<std::unique_ptr<Chunk>> chunks_;  // kept from draw to draw, for their memory
-  TargetVisibility visibility_;                     // what the fused loops remember of every tile
-  std::vector<std::vector<FragmentBlock>> blocks_;  // the staged loops' scratch memory, one a worker
+  DrawMemory memory_;
 };
 
 }  // namespace tuberia

@@ -11,9 +11,9 @@
 namespace tuberia {
 namespace {
 
-/// 3000 triangles in one: more than a chunk, on a target of six tiles.
-DrawCall many_triangles(const test::Mesh& mesh, std::vector<std::uint32_t>& indices) {
-  for (int i = 0; i < 3000; ++i) indices.insert(indices.end(), {0, 1, 2});
+/// As many triangles in one place, by default more than a chunk; for a target of six tiles.
+DrawCall many_triangles(const test::Mesh& mesh, std::vector<std::uint32_t>& indices, int triangles = 3000) {
+  for (int i = 0; i < triangles; ++i) indices.insert(indices.end(), {0, 1, 2});
   DrawCall draw{.mesh = mesh.view(), .program = gouraud(), .state = {}};
   draw.mesh.indices = indices;
   return draw;
@@ -61,6 +61,23 @@ TEST_CASE("draw times: every chunk and every tile is timed, and no time is count
     sum += tile.total;
   }
   CHECK(sum <= elapsed);
+}
+
+TEST_CASE("draw times: with several threads, every chunk and tile of every batch is timed", "[pipeline]") {
+  const test::Mesh mesh = test::rectangle({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 1}, 1, glm::vec4(1));
+  std::vector<std::uint32_t> indices;
+  const DrawCall draw = many_triangles(mesh, indices, 100000);
+  RenderTarget target = *RenderTarget::create(150, 100);
+  Pipeline pipeline({.threads = 3});
+  DrawTimes times;
+  // Two draws: the second one's batches follow those of the first.
+  for (int i = 0; i < 2; ++i) REQUIRE(pipeline.draw(target, draw, times).ok());
+  REQUIRE(times.batches.size() == 10);  // of 12 chunks of 2048 each, and the last of one
+  for (std::size_t b = 0; b < times.batches.size(); ++b) {
+    CHECK(times.batches[b].chunks.size() == (b % 5 == 4 ? 1u : 12u));
+    for (const ChunkTimes& chunk : times.batches[b].chunks) CHECK(chunk.total() > 0);
+    for (const TileTimes& tile : times.batches[b].tiles) CHECK(tile.total > 0);
+  }
 }
 
 }  // namespace tuberia
