@@ -47,7 +47,7 @@ Result<FrameTimes> timed_frame(TuberiaPeer& peer, std::span<const DrawCall> draw
     if (!drawn) return drawn.error();
     frame.draw_ends.push_back(frame.times.batches.size());
   }
-  const double known = static_cast<double>(frame.times.validation) * kNanosecond + frame.tiles() + frame.chunks();
+  const double known = static_cast<double>(frame.times.validation + frame.times.bookkeeping) * kNanosecond + frame.tiles() + frame.chunks();
   frame.other = std::max(0.0, seconds_since(begin) - known);
   return frame;
 }

@@ -17,6 +17,10 @@ struct Batch {
   Loop chunks, tiles;  // as many tiles in every batch of a draw
 };
 
+/// How long the batches of a draw take: who is free takes a tile, or else a chunk of the next batch, as far as there is memory to
+/// go ahead. The rules are those of base/parallel_batches.cpp, but tiles are dealt one by one, and batches in the order of submission.
+double duration_of(std::span<const Batch> draw, int threads);
+
 /// A frame: loops, then draws, one after the other, and time in which one thread works alone. All in
 /// one unit. The batches are those of one thread: a draw on n threads makes n of them into one.
 struct Work {
@@ -26,14 +30,15 @@ struct Work {
 
   double total() const;
   double duration(int threads) const;
-  /// What so many threads cannot beat, however fast each is at finding work: the time alone and the
-  /// longest item of each loop.
+  /// What so many threads cannot beat, however fast each is at finding work: the time alone, the longest item of each loop and
+  /// of each batch's tiles, and before a draw's first tiles its first batch's longest chunk.
   double longest_chain(int threads) const;
   /// Which part of the threads' time is work, in (0, 1]: total / (threads * duration).
   double balance(int threads) const { return total() / (threads * duration(threads)); }
 
  private:
-  std::vector<Loop> loops_of(int threads) const;
+  /// The batches that n threads make of a draw's.
+  static std::vector<Batch> joined(std::span<const Batch> draw, int threads);
 };
 
 }  // namespace tuberia::bench

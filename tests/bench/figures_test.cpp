@@ -93,13 +93,24 @@ TEST_CASE("schedule: n threads make n batches of a draw into one, but never two 
   const Work one_draw{.loops = {}, .draws = {{batch, batch, batch}}};
   CHECK(one_draw.total() == 18);
   CHECK(one_draw.duration(1) == 18);
-  CHECK(one_draw.duration(2) == 3 + 4 + 3 + 2);  // two batches: chunks 3 3, tiles 2 4; then the third
+  CHECK(one_draw.duration(2) == 3 + 2 + 3 + 2);  // chunks 3 3; tiles 2 4, and after the short one the third batch's chunk; its tiles 1 2
   CHECK(one_draw.duration(3) == 3 + 6);          // chunks 3 3 3, tiles 3 6
   CHECK(one_draw.longest_chain(3) == 9);
-  CHECK(one_draw.longest_chain(1) == 15);
+  CHECK(one_draw.longest_chain(1) == 9);
 
   const Work two_draws{.loops = {}, .draws = {{batch}, {batch}}};
   CHECK(two_draws.duration(2) == 2 * (3 + 2));
+}
+
+TEST_CASE("schedule: who is free goes ahead with the next batch, as far as memory goes", "[bench]") {
+  const Batch uneven{.chunks = {1, 9}, .tiles = {2, 2}}, even{.chunks = {4, 4, 4, 4}, .tiles = {1}};
+  // The first thread does a chunk of the next batch beside the chunk of 9, and a second one: two go ahead. The third waits for the tiles.
+  CHECK(duration_of(std::vector{uneven, even}, 2) == 9 + 2 + 4 + 1);
+  CHECK(duration_of(std::vector{uneven, even}, 1) == 14 + 17);
+  // Two threads may go ahead by two chunks, not more: this batch has six, four of which must wait for the long tile.
+  const Batch long_tile{.chunks = {1, 1, 1, 1, 1, 1}, .tiles = {20}}, many{.chunks = {5, 5, 5, 5, 5, 5}, .tiles = {1}};
+  CHECK(duration_of(std::vector{long_tile, many}, 2) == 3 + 20 + 10 + 1);
+  CHECK(duration_of(std::vector<Batch>{}, 2) == 0);
 }
 
 TEST_CASE("schedule: no number of threads beats the longest chain or an even share", "[bench]") {
