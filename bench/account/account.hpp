@@ -61,7 +61,7 @@ struct Account {
   std::int64_t instructions = 0;  // if they were counted: of an AVX2 frame
   Bounds bounds;
   Work work;                   // the same pieces, for the schedule
-  double speed_up_of_two = 0;  // median of the ratios of frames on one thread and on two
+  double speed_up_of_two = 0;  // the least frame on one thread over the least on two
 
   double of(Item item) const noexcept { return seconds[static_cast<std::size_t>(item)]; }
   double geometry_seconds() const noexcept;

@@ -200,7 +200,7 @@ pass the depth test.)";
 constexpr const char* kAboutSchedule = R"(The durations of all chunks and tiles, as measured on one thread, dealt to more
 threads: whoever is free takes the next tile, or a chunk of the next batch, and tiles wait for the chunks of theirs, as in a draw, whose batches
 are the larger the more threads there are. <b>Balance</b> is work / (threads &times; duration). The longest chain is what 64 threads cannot
-beat. The last column is measured, one thread against two in turns; below )";
+beat. The last column is measured, the least frame on one thread over the least on two, in turns; below )";
 
 }  // namespace
 
