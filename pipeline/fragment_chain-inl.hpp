@@ -9,6 +9,7 @@
 #define TUBERIA_PIPELINE_FRAGMENT_CHAIN_INL
 #endif
 
+#include <algorithm>
 #include <bit>
 
 #include "pipeline/colour_blocks-inl.hpp"
@@ -232,7 +233,8 @@ void draw_tile(const FragmentJob& job, const Tile& tile, TileVisibility& visibil
   bool hides_many = false;  // of the last window: then a register is asked about at once, first
   for (std::int64_t first = 0; first < count; first += kWindow) {
     const std::int64_t in_window = std::min(kWindow, count - first);
-    std::int32_t numbers[kWindow] = {};
+    std::int32_t numbers[kWindow];
+    std::fill_n(numbers, kWindow, number(first));  // lanes without a triangle ask what is in this tile, too
     for (std::int64_t i = 0; i < in_window; ++i) {
       numbers[i] = number(first + i);
       if (first + i + kAhead < count) prefetch(reinterpret_cast<const char*>(&chunk.extents[number(first + i + kAhead)]));
