@@ -152,7 +152,7 @@ TEST_CASE("parallel_batches: the threads share the work", "[base][threads]") {
 }
 
 TEST_CASE("parallel_batches: heavy neighbours are shared, too", "[base][threads]") {
-  // The first eight of 400 items take all the time. Whoever begins must leave some of them to the other.
+  // The first 16 of 400 items take all the time. Whoever begins must leave some of them to the other.
   struct Heavy : BatchedWork {
     std::atomic<int> heavy_running{0};
     std::atomic<bool> both_at_once{false};
