@@ -25,7 +25,7 @@ class WatchedWork : public BatchedWork {
   WatchedWork(const Workers& workers, std::int64_t batches, int most_pieces)
       : threads_(workers.thread_count()), most_pieces_(most_pieces), produced_(static_cast<std::size_t>(batches)),
         consumed_(static_cast<std::size_t>(batches)), owner_(static_cast<std::size_t>(slot_count(workers, most_pieces))),
-        running_(static_cast<std::size_t>(workers.thread_count())), consumed_by_(static_cast<std::size_t>(workers.thread_count())) {
+        running_(static_cast<std::size_t>(workers.thread_count())) {
     for (auto& owner : owner_) owner = -1;
   }
 
@@ -63,7 +63,6 @@ class WatchedWork : public BatchedWork {
     const std::int64_t batch = gathered_ - 1;
     dawdle();
     ++items_[static_cast<std::size_t>(item)];
-    ++consumed_by_[static_cast<std::size_t>(worker)];
     // The last one out gives the slots back, before the schedule can.
     if (++consumed_[static_cast<std::size_t>(batch)] == items_of(batch)) release();
     running_[static_cast<std::size_t>(worker)].fetch_sub(1);
@@ -75,9 +74,6 @@ class WatchedWork : public BatchedWork {
     return gathered_ == static_cast<std::int64_t>(produced_.size());
   }
   bool kept() const { return kept_; }
-  int workers_that_consumed() const {
-    return static_cast<int>(std::count_if(consumed_by_.begin(), consumed_by_.end(), [](const auto& items) { return items > 0; }));
-  }
 
  private:
   static std::int64_t name_of(std::int64_t batch, int piece) { return batch * 1000 + piece; }
@@ -93,7 +89,7 @@ class WatchedWork : public BatchedWork {
   int threads_, most_pieces_;
   std::vector<std::atomic<int>> produced_, consumed_;
   std::vector<std::atomic<std::int64_t>> owner_;  // of a slot: the piece in it, -1: nobody
-  std::vector<std::atomic<int>> running_, consumed_by_;  // of each worker: calls that run, items in all
+  std::vector<std::atomic<int>> running_;         // calls of each worker
   std::vector<int> open_, items_;                 // of the batch that is being consumed
   std::atomic<std::int64_t> gathered_{0};
   std::atomic<bool> in_gather_{false}, kept_{true};
@@ -142,34 +138,21 @@ TEST_CASE("parallel_batches: every piece and every item once, in slots and in an
       }
 }
 
-TEST_CASE("parallel_batches: the threads share the work", "[base][threads]") {
-  // For so long that the others have come before it is done: 46 ms at least.
-  Workers three(3);
-  WatchedWork work(three, 600, 5);
-  parallel_batches(three, 600, 5, work);
-  CHECK(work.kept());
-  CHECK(work.workers_that_consumed() >= 2);
-}
-
 TEST_CASE("parallel_batches: heavy neighbours are shared, too", "[base][threads]") {
-  // The first 16 of 400 items take all the time. Whoever begins must leave some of them to the other.
+  // The first of 400 items waits for one of the next but seven: whoever has it must have left those to the other.
   struct Heavy : BatchedWork {
-    std::atomic<int> heavy_running{0};
-    std::atomic<bool> both_at_once{false};
+    std::atomic<bool> neighbour_begun{false}, in_time{true};
     int pieces(std::int64_t) const noexcept override { return 1; }
     void produce(std::int64_t, int, int) override {}
     std::int64_t gather(std::int64_t, std::span<const int>) override { return 400; }
     void consume(std::int64_t item, int) override {
-      if (item >= 16) return;
-      using Clock = std::chrono::steady_clock;
-      if (++heavy_running == 2) both_at_once = true;
-      for (const auto end = Clock::now() + std::chrono::milliseconds(20); !both_at_once && Clock::now() < end;) std::this_thread::yield();
-      --heavy_running;
+      if (item >= 8 && item < 16) neighbour_begun = true;
+      if (item == 0 && !comes_true(neighbour_begun)) in_time = false;
     }
   } work;
   Workers two(2);
   parallel_batches(two, 2, 1, work);
-  CHECK(work.both_at_once);
+  CHECK(work.in_time);
 }
 
 TEST_CASE("parallel_batches: nobody waits for the last piece of a batch, nor for its last item", "[base][threads]") {
@@ -208,41 +191,36 @@ TEST_CASE("parallel_batches: what a call throws reaches the caller, and the next
 }
 
 TEST_CASE("parallel_batches: after a failure nothing more begins", "[base][threads]") {
-  // A batch of many pieces and of many items, the fourth call of which fails while the other threads are in theirs.
+  // One call fails when another thread has come, too; a call that begins after that gives the schedule time to learn of it.
   struct Failing : BatchedWork {
     enum Half { of_produce, of_gather, of_consume } half = of_produce;
-    std::atomic<int> produced{0}, gathered{0}, consumed{0};
-    int pieces(std::int64_t) const noexcept override { return 12; }
-    void produce(std::int64_t, int, int) override {
-      dawdle();
-      if (++produced == 4 && half == of_produce) throw std::bad_alloc();
+    std::atomic<bool> other_has_come{false}, failed{false};
+    std::atomic<int> calls{0}, gathered{0}, begun_afterwards{0};
+    int pieces(std::int64_t) const noexcept override { return 100; }
+    void call(bool may_fail) {
+      if (failed) {
+        ++begun_afterwards;
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+      }
+      if (!may_fail) return;
+      if (++calls > 1) other_has_come = true, comes_true(failed);
+      else if (comes_true(other_has_come)) failed = true, throw std::bad_alloc();
     }
+    void produce(std::int64_t, int, int) override { call(half == of_produce); }
     std::int64_t gather(std::int64_t, std::span<const int>) override {
-      if (++gathered == 1 && half == of_gather) throw std::bad_alloc();
+      if (++gathered == 1 && half == of_gather) failed = true, throw std::bad_alloc();
       return 400;
     }
-    void consume(std::int64_t, int) override {
-      dawdle();
-      if (++consumed == 4 && half == of_consume) throw std::bad_alloc();
-    }
+    void consume(std::int64_t, int) override { call(half == of_consume); }
   };
-  Workers workers(5);
+  constexpr int kThreads = 5;
+  Workers workers(kThreads);
   for (const auto half : {Failing::of_produce, Failing::of_gather, Failing::of_consume}) {
-    constexpr int kRepeats = 100;
-    int produced = 0, consumed = 0;
-    for (int repeat = 0; repeat < kRepeats; ++repeat) {
-      Failing work;
-      work.half = half;
-      CHECK_THROWS_AS(parallel_batches(workers, 3, 12, work), std::bad_alloc);
-      CHECK(work.gathered == (half == Failing::of_produce ? 0 : 1));
-      if (half != Failing::of_consume) CHECK(work.consumed == 0);
-      produced += work.produced;
-      consumed += work.consumed;
-    }
-    // What others have begun, they end; and on their way from one to the next they learn of a failure when the schedule does,
-    // which takes as long as a few calls now and then, but not on the average.
-    if (half == Failing::of_produce) CHECK(produced < kRepeats * 11);
-    if (half == Failing::of_consume) CHECK(consumed < kRepeats * 200);
+    Failing work;
+    work.half = half;
+    CHECK_THROWS_AS(parallel_batches(workers, 3, 100, work), std::bad_alloc);
+    CHECK(work.gathered == (half == Failing::of_produce ? 0 : 1));
+    CHECK(work.begun_afterwards <= 3 * kThreads);  // not the hundreds that are left
   }
 }
 
