@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <functional>
@@ -141,11 +142,14 @@ TEST_CASE("parallel_batches: every piece and every item once, in slots and in an
 TEST_CASE("parallel_batches: heavy neighbours are shared, too", "[base][threads]") {
   // The first of 400 items waits for one of the next but seven: whoever has it must have left those to the other.
   struct Heavy : BatchedWork {
+    std::array<std::atomic<bool>, 2> has_come{};
     std::atomic<bool> neighbour_begun{false}, in_time{true};
     int pieces(std::int64_t) const noexcept override { return 1; }
     void produce(std::int64_t, int, int) override {}
     std::int64_t gather(std::int64_t, std::span<const int>) override { return 400; }
-    void consume(std::int64_t item, int) override {
+    void consume(std::int64_t item, int worker) override {
+      has_come[static_cast<std::size_t>(worker)] = true;
+      if (!comes_true(has_come[static_cast<std::size_t>(1 - worker)])) in_time = false;
       if (item >= 8 && item < 16) neighbour_begun = true;
       if (item == 0 && !comes_true(neighbour_begun)) in_time = false;
     }
